@@ -1,0 +1,60 @@
+// The one interface behind which every code stands, native engine or foreign program.
+#pragma once
+
+#include "cases/scene/frame.hpp"
+#include "cases/scene/scene.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace crossgrain::adapters {
+
+/// Whether the code is on this machine.
+struct Availability {
+    bool installed = false;
+    std::string version;  ///< as the program itself reports it
+    std::string reason;   ///< why it is not installed, e.g. "no 'lmp' on PATH"
+};
+
+/// One file of a code's input, by its name in the run's directory.
+struct InputFile {
+    std::string name;
+    std::string text;
+};
+
+struct RunOptions {
+    std::filesystem::path directory;  ///< private to this run; exists and is empty
+    double time_limit = 0;            ///< wall seconds; the run is stopped when they are over, > 0
+    std::stop_token stop;             ///< the user asked to stop
+    bool keep_dump = false;           ///< also write the trajectory to <directory>/dump.txt
+};
+
+struct RunCost {
+    double cpu_s = 0;   ///< user + system, all processes and threads of the run
+    double wall_s = 0;
+};
+
+class Code {
+  public:
+    virtual ~Code() = default;
+
+    [[nodiscard]] virtual std::string name() const = 0;
+    [[nodiscard]] virtual Availability probe() const = 0;
+    /// What it can express, in the scene's own words, for `crossgrain codes`.
+    [[nodiscard]] virtual std::vector<std::string> features() const = 0;
+    /// Why it cannot run this scene exactly, or nothing if it can. Never approximates.
+    [[nodiscard]] virtual std::optional<std::string>
+    cannot_express(const scene::Scene& scene) const = 0;
+    /// The complete input, file by file, a pure function of the scene.
+    [[nodiscard]] virtual std::vector<InputFile> input(const scene::Scene& scene) const = 0;
+    /// Runs the scene and streams its frames, checked by a FrameGuard.
+    /// Throws AdapterError when the run does not deliver, Interrupted when stopped.
+    virtual RunCost run(const scene::Scene& scene, const RunOptions& options,
+                        const scene::FrameSink& sink) const = 0;
+};
+
+}  // namespace crossgrain::adapters

@@ -1,0 +1,44 @@
+// Streaming reader of LAMMPS text dumps, the neutral trajectory format: bytes in, frames out.
+// Columns are found by their names, so their order does not matter; rows are put in order by id.
+#pragma once
+
+#include "cases/scene/frame.hpp"
+#include "cases/scene/scene.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace crossgrain::adapters::dump {
+
+/// Needs the columns id, xu, yu, vx, vy (and type or an id of N+1 for a free lid: the lid is the
+/// row with id = grains + 1; its yu and vy are height and velocity). Grains have ids 1 ... N in the
+/// order of the scene. Other columns are ignored. A dump with x, y instead of xu, yu is accepted
+/// only when the scene is not periodic.
+///
+/// Throws TrajectoryError (with the line number) for: a missing column, a wrong number of atoms, a
+/// duplicate or unknown id, a value that is not a number or not finite, a header out of place.
+class DumpReader {
+  public:
+    /// Feeds every complete frame to `sink`. `scene` gives the number of grains, dt and the lid.
+    DumpReader(const scene::Scene& scene, scene::FrameSink sink);
+    ~DumpReader();
+    DumpReader(const DumpReader&) = delete;
+    DumpReader& operator=(const DumpReader&) = delete;
+
+    void feed(std::string_view bytes);
+    /// Throws TrajectoryError if the dump ends in the middle of a frame or holds none.
+    void finish();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Reads a whole dump file through a DumpReader. Throws CaseError if it cannot be opened.
+void read_dump_file(const std::filesystem::path& file, const scene::Scene& scene,
+                    const scene::FrameSink& sink);
+
+}  // namespace crossgrain::adapters::dump

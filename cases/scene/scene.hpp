@@ -1,0 +1,119 @@
+// The code-neutral description of one run: what every granular code, native or foreign, must decide
+// before it can start, and nothing else. Reduced units throughout: lengths, masses and times are
+// those of Taguchi's paper (grain mass m = 1, gravity g = 1, diameter d = 2).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace crossgrain::scene {
+
+/// Which part of the relative velocity the dashpot acts on.
+/// `full_vector` is Taguchi's Eq. (1); `normal_only` is the default of many other codes.
+enum class Damping { full_vector, normal_only };
+
+/// What happens when the total normal force (spring + dashpot) becomes attractive at the end of a
+/// contact: `none` keeps the attraction (Taguchi, Eq. 1), `all` cuts the whole contact force,
+/// `normal_only` cuts the normal force and keeps the tangential dashpot.
+enum class Clipping { none, all, normal_only };
+
+/// Whether grains rotate. With `on` the tangential dashpot acts at the point of contact.
+enum class Spins { off, on };
+
+/// What a horizontal plate touches: the grain's centre (Taguchi, Eqs. 2 and 14) or its surface.
+enum class PlateContact { centre, surface };
+
+/// `verlet_half_step`: kick dt/2, drift dt, force from (x_{n+1}, v_{n+1/2}), kick dt/2. This is
+/// what LAMMPS and LIGGGHTS do, and it is YADE's leap-frog seen half a step apart.
+/// `verlet_predicted`: the same with v_{n+1/2} + a_n dt/2 in the dashpot (second order).
+enum class Integrator { verlet_half_step, verlet_predicted };
+
+/// Linear spring-dashpot contact between two discs:
+/// F_i = k (d - r) n - eta (v_i - v_j), contact while r < d  (Taguchi, Eq. 1).
+struct ContactLaw {
+    double stiffness = 0;  ///< k (m/t^2), > 0
+    double damping = 0;    ///< eta (m/t), >= 0, on the relative velocity of the pair
+    Damping damping_acts_on = Damping::full_vector;
+    Clipping clipping = Clipping::none;
+    Spins spins = Spins::off;
+};
+
+/// Elastic horizontal plate moving as y(t) = height + amplitude cos(2 pi t / period).
+struct PrescribedPlate {
+    double height = 0;     ///< mean height (length)
+    double amplitude = 0;  ///< b (length), >= 0; 0 is a plate at rest
+    double period = 1;     ///< 2 pi / omega_0 (time), > 0
+};
+
+/// Elastic horizontal lid of finite mass under gravity (Taguchi, Eq. 2, with the -g that his
+/// Appendix B implies).
+struct FreeLid {
+    double mass = 0;      ///< M, > 0
+    double height = 0;    ///< at t = 0
+    double velocity = 0;  ///< at t = 0
+};
+
+using Lid = std::variant<std::monostate, PrescribedPlate, FreeLid>;
+
+/// Plates act on grains with the spring `stiffness` and no dissipation.
+struct Plates {
+    double stiffness = 0;  ///< (m/t^2), > 0 when there is a plate
+    PlateContact touches = PlateContact::centre;
+    std::optional<PrescribedPlate> bottom;
+    Lid lid;
+};
+
+/// State at t = 0, the same 17 digits for every code. All arrays have shape (grains).
+struct InitialState {
+    std::vector<double> x, y;    ///< positions (length), unwrapped
+    std::vector<double> vx, vy;  ///< velocities at t = 0 (not at a half step)
+    std::vector<bool> frozen;    ///< grains that never move; empty when there are none
+};
+
+struct Grains {
+    double diameter = 0;  ///< d, > 0
+    double mass = 0;      ///< m, > 0
+};
+
+/// One run. Built by the case reader; every field is resolved (no "default" is left to a code).
+struct Scene {
+    std::string name;  ///< case and variant, e.g. "collision-normal/full/dt3"
+    Grains grains;
+    ContactLaw contact;
+    Plates plates;
+    double gravity = 0;                 ///< g, acts along -y, >= 0
+    std::optional<double> periodic_x;   ///< period along x; open when absent
+    Integrator integrator = Integrator::verlet_half_step;
+    double dt = 0;                      ///< time step, > 0
+    std::int64_t steps = 0;             ///< multiple of frame_every, > 0
+    std::int64_t frame_every = 0;       ///< frames at 0, frame_every, ..., steps
+    std::uint64_t seed = 0;             ///< of the initial state
+    InitialState initial;
+
+    [[nodiscard]] std::size_t grain_count() const noexcept { return initial.x.size(); }
+    [[nodiscard]] bool has_free_lid() const noexcept {
+        return std::holds_alternative<FreeLid>(plates.lid);
+    }
+    [[nodiscard]] bool has_frozen_grains() const noexcept { return !initial.frozen.empty(); }
+};
+
+/// Half the time of a head-on collision's undamped-frequency cycle: t_col = pi / omega with
+/// omega = sqrt(2 k/m - (eta/m)^2) (Taguchi, below Eq. 1). Infinite when overdamped.
+[[nodiscard]] double contact_time(const Scene& scene);
+
+/// Height of a prescribed plate at time t.
+[[nodiscard]] double height_at(const PrescribedPlate& plate, double t);
+
+/// Number of pairs in contact and of grains in contact with a plate at t = 0.
+[[nodiscard]] std::size_t initial_contacts(const Scene& scene);
+
+[[nodiscard]] std::string to_string(Damping value);
+[[nodiscard]] std::string to_string(Clipping value);
+[[nodiscard]] std::string to_string(Spins value);
+[[nodiscard]] std::string to_string(PlateContact value);
+[[nodiscard]] std::string to_string(Integrator value);
+
+}  // namespace crossgrain::scene

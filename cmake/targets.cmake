@@ -1,0 +1,53 @@
+# How every library and test of this project is declared, so that flags and names are in one place.
+
+add_library(crossgrain_flags INTERFACE)
+target_compile_options(crossgrain_flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+    # Trajectory parity to the last digits needs one rounding per operation, on every machine.
+    -ffp-contract=off)
+if(CROSSGRAIN_SANITIZE)
+    target_compile_options(crossgrain_flags INTERFACE -fsanitize=address,undefined
+                                                      -fno-sanitize-recover=all)
+    target_link_options(crossgrain_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# crossgrain_library(<folder> SOURCES ... [USES <folder>...] [LIBRARIES <third party>...])
+# <folder> is the path from the top, e.g. cases/scene; USES is checked against the rule of
+# ARCHITECTURE.md by tests/architecture.
+function(crossgrain_library folder)
+    cmake_parse_arguments(arg "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+    string(REPLACE "/" "_" name "crossgrain_${folder}")
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC "${PROJECT_SOURCE_DIR}")
+    foreach(used IN LISTS arg_USES)
+        string(REPLACE "/" "_" used_name "crossgrain_${used}")
+        target_link_libraries(${name} PUBLIC ${used_name})
+    endforeach()
+    foreach(library IN LISTS arg_LIBRARIES)
+        # Third-party headers are SYSTEM: their warnings are not ours.
+        target_link_libraries(${name} PUBLIC ${library})
+    endforeach()
+    target_link_libraries(${name} PRIVATE crossgrain_flags)
+endfunction()
+
+# crossgrain_test(<name> LABELS ... SOURCES ... USES ... [LIBRARIES ...] [TIMEOUT s])
+function(crossgrain_test name)
+    cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;USES;LIBRARIES;LABELS" ${ARGN})
+    if(NOT arg_TIMEOUT)
+        set(arg_TIMEOUT 120)
+    endif()
+    add_executable(test_${name} ${arg_SOURCES})
+    set_target_properties(test_${name} PROPERTIES
+                          RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+    target_compile_definitions(test_${name} PRIVATE
+        BOOST_TEST_DYN_LINK BOOST_TEST_MODULE=${name}
+        CROSSGRAIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    foreach(used IN LISTS arg_USES)
+        string(REPLACE "/" "_" used_name "crossgrain_${used}")
+        target_link_libraries(test_${name} PRIVATE ${used_name})
+    endforeach()
+    target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} Boost::unit_test_framework
+                                               crossgrain_flags)
+    add_test(NAME ${name} COMMAND test_${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
+endfunction()
