@@ -18,6 +18,10 @@ double height_at(const PrescribedPlate& plate, double t) {
     return plate.height + plate.amplitude * std::cos(2.0 * std::numbers::pi / plate.period * t);
 }
 
+double nearest_image(double separation, const std::optional<double>& period) {
+    return period ? separation - *period * std::round(separation / *period) : separation;
+}
+
 namespace {
 
 std::size_t plate_contacts(const Scene& scene) {
@@ -48,9 +52,8 @@ std::size_t initial_contacts(const Scene& scene) {
     std::size_t count = plate_contacts(scene);
     for (std::size_t i = 0; i < s.x.size(); ++i) {
         for (std::size_t j = i + 1; j < s.x.size(); ++j) {
-            double dx = s.x[i] - s.x[j];
-            if (scene.periodic_x) dx -= *scene.periodic_x * std::round(dx / *scene.periodic_x);
-            const double dy = s.y[i] - s.y[j];
+            const double dx = nearest_image(s.x[i] - s.x[j], scene.periodic_x);
+            const double dy = nearest_image(s.y[i] - s.y[j], scene.periodic_y);
             if (dx * dx + dy * dy < d_squared) ++count;
         }
     }

@@ -86,6 +86,7 @@ struct Scene {
     Plates plates;
     double gravity = 0;                 ///< g, acts along -y, >= 0
     std::optional<double> periodic_x;   ///< period along x; open when absent
+    std::optional<double> periodic_y;   ///< period along y; open when absent; excludes plates
     Integrator integrator = Integrator::verlet_half_step;
     double dt = 0;                      ///< time step, > 0
     std::int64_t steps = 0;             ///< multiple of frame_every, > 0
@@ -106,6 +107,9 @@ struct Scene {
 
 /// Height of a prescribed plate at time t.
 [[nodiscard]] double height_at(const PrescribedPlate& plate, double t);
+
+/// Separation along one axis to the nearest periodic image; unchanged without a period.
+[[nodiscard]] double nearest_image(double separation, const std::optional<double>& period);
 
 /// Number of pairs in contact and of grains in contact with a plate at t = 0.
 [[nodiscard]] std::size_t initial_contacts(const Scene& scene);

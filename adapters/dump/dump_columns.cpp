@@ -1,0 +1,97 @@
+#include "adapters/dump/dump_columns.hpp"
+
+#include "native/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <system_error>
+
+namespace crossgrain::adapters::dump {
+
+namespace {
+
+constexpr std::array<const char*, 6> meaning_names = {"", "id", "x", "y", "vx", "vy"};
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// The next word; moves `rest` behind it.
+std::string_view next_word(std::string_view& rest) {
+    const char* begin = rest.data();
+    const char* const end = begin + rest.size();
+    while (begin != end && is_blank(*begin)) ++begin;
+    const char* stop = begin;
+    while (stop != end && !is_blank(*stop)) ++stop;
+    rest = {stop, static_cast<std::size_t>(end - stop)};
+    return {begin, static_cast<std::size_t>(stop - begin)};
+}
+
+template <class Number>
+Number parse(std::string_view word, const char* column) {
+    Number value{};
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    if (error != std::errc{} || stop != end) {
+        throw TrajectoryError(fmt::format("'{}' in column {} is not a number", word, column));
+    }
+    return value;
+}
+
+}  // namespace
+
+Columns::Columns(std::string_view names, bool wrapped_x_is_fine) {
+    std::vector<std::string_view> words;
+    for (auto rest = names; !rest.empty();) words.push_back(next_word(rest));
+    meanings_.assign(words.size(), Meaning::ignored);
+    std::size_t needed = 0;
+    const auto assign = [&](Meaning meaning, std::initializer_list<std::string_view> accepted) {
+        for (const auto name : accepted) {
+            for (std::size_t i = 0; i < words.size(); ++i) {
+                if (words[i] != name) continue;
+                meanings_[i] = meaning;
+                needed = std::max(needed, i + 1);
+                return;
+            }
+        }
+        throw TrajectoryError(
+            fmt::format("column '{}' is missing (found: {})", *accepted.begin(), names));
+    };
+    assign(Meaning::id, {"id"});
+    if (wrapped_x_is_fine) {
+        assign(Meaning::x, {"xu", "x"});
+    } else {
+        assign(Meaning::x, {"xu"});
+    }
+    assign(Meaning::y, {"yu", "y"});  // no scene is periodic in y
+    assign(Meaning::vx, {"vx"});
+    assign(Meaning::vy, {"vy"});
+    meanings_.resize(needed);
+}
+
+Row Columns::read(std::string_view line) const {
+    Row row;
+    std::string_view rest = line;
+    for (const Meaning meaning : meanings_) {
+        const std::string_view word = next_word(rest);
+        if (word.empty()) {
+            throw TrajectoryError(fmt::format("row '{}' has too few columns", line));
+        }
+        if (meaning == Meaning::ignored) continue;
+        const auto index = static_cast<std::size_t>(meaning);
+        if (meaning == Meaning::id) {
+            row.id = parse<std::int64_t>(word, "id");
+            continue;
+        }
+        const double value = parse<double>(word, meaning_names[index]);
+        if (!std::isfinite(value)) {
+            throw TrajectoryError(
+                fmt::format("'{}' in column {} is not finite", word, meaning_names[index]));
+        }
+        row.values[index - static_cast<std::size_t>(Meaning::x)] = value;
+    }
+    return row;
+}
+
+}  // namespace crossgrain::adapters::dump

@@ -1,0 +1,32 @@
+// Which column of a dump holds what, and the reading of one row.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace crossgrain::adapters::dump {
+
+struct Row {
+    std::int64_t id = 0;
+    std::array<double, 4> values{};  ///< x, y, vx, vy
+};
+
+class Columns {
+  public:
+    /// `names`: what follows "ITEM: ATOMS", e.g. "id type xu yu vx vy". `wrapped_x_is_fine`: the
+    /// plain column x may stand for xu. Throws TrajectoryError when a column is missing.
+    Columns(std::string_view names, bool wrapped_x_is_fine);
+    Columns() = default;
+
+    /// Throws TrajectoryError for a short row, a value that is not a number or is not finite.
+    [[nodiscard]] Row read(std::string_view line) const;
+
+  private:
+    enum class Meaning : std::uint8_t { ignored, id, x, y, vx, vy };
+    std::vector<Meaning> meanings_;  // up to the last column that is needed
+};
+
+}  // namespace crossgrain::adapters::dump

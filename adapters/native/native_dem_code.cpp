@@ -1,0 +1,192 @@
+#include "adapters/native/native_dem_code.hpp"
+
+#include "adapters/dump/dump_writer.hpp"
+#include "cases/scene/frame_guard.hpp"
+#include "cases/scene/scene_json.hpp"
+#include "native/base/errors.hpp"
+#include "native/dem/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <numbers>
+
+namespace crossgrain::adapters {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double thread_cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+dem::MovingPlate moving_plate(const scene::PrescribedPlate& plate) {
+    return {.height = plate.height,
+            .amplitude = plate.amplitude,
+            .omega = 2.0 * std::numbers::pi / plate.period};
+}
+
+dem::AttractiveTail tail(scene::Clipping clipping) {
+    switch (clipping) {
+    case scene::Clipping::none: break;
+    case scene::Clipping::all: return dem::AttractiveTail::contact_force_cut;
+    case scene::Clipping::normal_only: return dem::AttractiveTail::normal_force_cut;
+    }
+    return dem::AttractiveTail::kept;
+}
+
+dem::Parameters parameters(const scene::Scene& scene) {
+    dem::Parameters p{.diameter = scene.grains.diameter,
+                      .mass = scene.grains.mass,
+                      .stiffness = scene.contact.stiffness,
+                      .damping = scene.contact.damping,
+                      .damping_direction =
+                          scene.contact.damping_acts_on == scene::Damping::full_vector
+                              ? dem::DampingDirection::full_vector
+                              : dem::DampingDirection::normal_only,
+                      .tail = tail(scene.contact.clipping),
+                      .gravity = scene.gravity,
+                      .period_x = scene.periodic_x,
+                      .period_y = scene.periodic_y,
+                      .plate_stiffness = scene.plates.stiffness,
+                      .plate_reach = scene.plates.touches == scene::PlateContact::surface
+                                         ? scene.grains.diameter / 2
+                                         : 0.0,
+                      .bottom = std::nullopt,
+                      .lid = {},
+                      .scheme = scene.integrator == scene::Integrator::verlet_half_step
+                                    ? dem::Scheme::verlet_half_step
+                                    : dem::Scheme::verlet_predicted,
+                      .dt = scene.dt};
+    if (scene.plates.bottom) p.bottom = moving_plate(*scene.plates.bottom);
+    if (const auto* plate = std::get_if<scene::PrescribedPlate>(&scene.plates.lid)) {
+        p.lid = moving_plate(*plate);
+    } else if (const auto* lid = std::get_if<scene::FreeLid>(&scene.plates.lid)) {
+        p.lid = dem::InertialLid{.mass = lid->mass};
+    }
+    return p;
+}
+
+dem::State initial_state(const scene::Scene& scene) {
+    dem::State state{.x = scene.initial.x,
+                     .y = scene.initial.y,
+                     .vx = scene.initial.vx,
+                     .vy = scene.initial.vy};
+    for (std::size_t i = 0; i < scene.initial.frozen.size(); ++i) {
+        if (scene.initial.frozen[i]) state.frozen.push_back(i);
+    }
+    if (const auto* lid = std::get_if<scene::FreeLid>(&scene.plates.lid)) {
+        state.lid_height = lid->height;
+        state.lid_velocity = lid->velocity;
+    }
+    return state;
+}
+
+scene::Frame frame_of(const dem::State& state, const scene::Scene& scene) {
+    scene::Frame frame{.step = state.step,
+                       .time = static_cast<double>(state.step) * scene.dt,
+                       .x = state.x,
+                       .y = state.y,
+                       .vx = state.vx,
+                       .vy = state.vy,
+                       .lid = std::nullopt};
+    if (scene.has_free_lid()) frame.lid = scene::LidState{state.lid_height, state.lid_velocity};
+    return frame;
+}
+
+/// Stops a run between blocks of steps: when the user asks, or when its time is over.
+class Supervisor {
+  public:
+    explicit Supervisor(const RunOptions& options) : options_(options), start_(Clock::now()) {}
+
+    void check() const {
+        if (options_.stop.stop_requested()) throw Interrupted();
+        if (elapsed() > options_.time_limit) {
+            throw TrajectoryError(
+                fmt::format("stopped at the time limit of {:g} s", options_.time_limit));
+        }
+    }
+    [[nodiscard]] double elapsed() const {
+        return std::chrono::duration<double>(Clock::now() - start_).count();
+    }
+
+  private:
+    const RunOptions& options_;
+    Clock::time_point start_;
+};
+
+void stream_frames(const scene::Scene& scene, const Supervisor& supervisor,
+                   scene::FrameGuard& guard) {
+    constexpr std::int64_t block = 1000;  // steps between two looks at the clock
+    dem::Engine engine(parameters(scene), initial_state(scene));
+    guard(frame_of(engine.state(), scene));
+    for (std::int64_t next = scene.frame_every; next <= scene.steps; next += scene.frame_every) {
+        while (engine.state().step < next) {
+            supervisor.check();
+            engine.advance(std::min(block, next - engine.state().step));
+        }
+        guard(frame_of(engine.state(), scene));
+    }
+    guard.finish();
+}
+
+}  // namespace
+
+NativeDemCode::NativeDemCode(std::string version) : version_(std::move(version)) {}
+
+Availability NativeDemCode::probe() const {
+    return {.installed = true, .version = version_, .reason = {}};
+}
+
+std::vector<std::string> NativeDemCode::features() const {
+    return {"damping: full-vector, normal-only", "clipping: none, all, normal-only", "spins: off",
+            "plates: centre, surface; prescribed, free lid",
+            "integrator: verlet-half-step, verlet-predicted", "frozen grains", "periodic: x, y"};
+}
+
+std::optional<std::string> NativeDemCode::cannot_express(const scene::Scene& scene) const {
+    if (scene.contact.spins == scene::Spins::on) {
+        return "native-dem has no rotating discs; spins = \"off\" would be expressible";
+    }
+    for (const auto& period : {scene.periodic_x, scene.periodic_y}) {
+        if (period && *period < 3 * scene.grains.diameter) {
+            return "a period below 3 diameters: a grain would meet two images of another";
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<InputFile> NativeDemCode::input(const scene::Scene& scene) const {
+    return {{.name = "scene.json", .text = scene::to_json(scene).dump(1) + "\n"}};
+}
+
+RunCost NativeDemCode::run(const scene::Scene& scene, const RunOptions& options,
+                           const scene::FrameSink& sink) const {
+    const Supervisor supervisor(options);
+    const double cpu_start = thread_cpu_seconds();
+    std::ofstream dump;
+    if (options.keep_dump) dump.open(options.directory / "dump.txt");
+    const scene::FrameSink tee = [&](const scene::Frame& frame) {
+        if (dump.is_open()) dump::write_frame(dump, scene, frame);
+        sink(frame);
+    };
+    try {
+        scene::FrameGuard guard(scene, tee);
+        stream_frames(scene, supervisor, guard);
+    } catch (const TrajectoryError& error) {
+        throw AdapterError({.code = name(),
+                            .reason = error.what(),
+                            .command = {},
+                            .exit = {},
+                            .log_tail = {},
+                            .directory = options.directory.string()});
+    }
+    return {.cpu_s = thread_cpu_seconds() - cpu_start, .wall_s = supervisor.elapsed()};
+}
+
+}  // namespace crossgrain::adapters

@@ -1,0 +1,29 @@
+// Positions at chosen times, for the comparison of trajectories between codes.
+#pragma once
+
+#include "cases/measure/estimator.hpp"
+
+#include <vector>
+
+namespace crossgrain::measure {
+
+struct TrajectoryOptions {
+    std::vector<double> times;  ///< (t), in any order
+};
+
+/// One Snapshot per wanted time that is the time of a frame, in the order of the frames. A time is
+/// matched to the step round(time/dt) if it is within 1e-6 dt of it (times are decimal numbers, a
+/// step times dt is rounded); positions are never interpolated. A time without a frame gives
+/// nothing.
+class Trajectory final : public Estimator {
+  public:
+    Trajectory(const scene::Scene& scene, TrajectoryOptions options);
+    void add(const scene::Frame& frame) override;
+    void finish(Results& results) override;
+
+  private:
+    std::vector<std::int64_t> steps_;  ///< wanted steps, ascending
+    std::vector<Snapshot> snapshots_;
+};
+
+}  // namespace crossgrain::measure

@@ -1,0 +1,94 @@
+#include "cases/scene/initial_state_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace crossgrain::scene {
+namespace {
+
+std::size_t count_of(const TomlTable& t, const char* key) {
+    return static_cast<std::size_t>(t.integer(key, 1));
+}
+
+Pairs read_pairs(const TomlTable& t) {
+    Pairs pairs{.count = count_of(t, "count"),
+                .approach_speed = t.number("approach_speed", Range::positive()),
+                .impact_parameter = t.optional_number("impact_parameter", Range::any()).value_or(0)};
+    if (t.has("frozen_partner")) pairs.frozen_partner = t.boolean("frozen_partner");
+    if (const auto lead = t.optional_number("lead_steps", Range::not_negative())) {
+        pairs.lead_steps = *lead;
+    }
+    return pairs;
+}
+
+Bounces read_bounces(const TomlTable& t) {
+    static const std::array<std::string, 2> targets{"bottom", "lid"};
+    Bounces bounces{.count = count_of(t, "count"), .speed = t.number("speed", Range::positive())};
+    if (t.has("target")) bounces.target = static_cast<Target>(t.choice("target", targets));
+    if (const auto lead = t.optional_number("lead_steps", Range::not_negative())) {
+        bounces.lead_steps = *lead;
+    }
+    return bounces;
+}
+
+Gas read_gas(const TomlTable& t) {
+    return {.count = count_of(t, "count"),
+            .velocity_spread = t.number("velocity_spread", Range::not_negative())};
+}
+
+Lattice read_lattice(const TomlTable& t) {
+    return {.count = count_of(t, "count"),
+            .columns = count_of(t, "columns"),
+            .velocity_spread = t.number("velocity_spread", Range::not_negative()),
+            .lid_gap = t.optional_number("lid_gap", Range::positive()).value_or(1.0)};
+}
+
+Explicit read_explicit(const TomlTable& t) {
+    Explicit given;
+    given.state.x = t.numbers("x", Range::any());
+    given.state.y = t.numbers("y", Range::any());
+    given.state.vx = t.numbers("vx", Range::any());
+    given.state.vy = t.numbers("vy", Range::any());
+    const std::size_t n = given.state.x.size();
+    const auto check = [&](const char* key, std::size_t size) {
+        if (size != n) {
+            throw t.error(key, "has the wrong length", fmt::format("{}", size),
+                          fmt::format("{} numbers, as 'x' has", n));
+        }
+    };
+    check("y", given.state.y.size());
+    check("vx", given.state.vx.size());
+    check("vy", given.state.vy.size());
+    if (t.has("frozen")) {
+        given.state.frozen.assign(n, false);
+        for (const double index : t.numbers("frozen", Range::not_negative())) {
+            if (index >= static_cast<double>(n) || index != static_cast<double>(static_cast<std::size_t>(index))) {
+                throw t.error("frozen", "names no grain", fmt::format("{:g}", index),
+                              fmt::format("indices from 0 to {}", n - 1));
+            }
+            given.state.frozen[static_cast<std::size_t>(index)] = true;
+        }
+    }
+    return given;
+}
+
+}  // namespace
+
+InitialStateRecipe read_initial_state(const TomlTable& t) {
+    static const std::array<std::string, 5> kinds{"pairs", "bounces", "gas", "lattice", "explicit"};
+    const std::size_t kind = t.choice("kind", kinds);
+    const InitialStateRecipe recipe = [&]() -> InitialStateRecipe {
+        switch (kind) {
+        case 0: return read_pairs(t);
+        case 1: return read_bounces(t);
+        case 2: return read_gas(t);
+        case 3: return read_lattice(t);
+        default: return read_explicit(t);
+        }
+    }();
+    t.reject_unknown_keys();
+    return recipe;
+}
+
+}  // namespace crossgrain::scene

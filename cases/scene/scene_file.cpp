@@ -1,0 +1,204 @@
+#include "cases/scene/scene_file.hpp"
+
+#include "cases/scene/initial_state_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace crossgrain::scene {
+namespace {
+
+const std::array<std::string, 2> damping_words{"full-vector", "normal-only"};
+const std::array<std::string, 3> clipping_words{"none", "all", "normal-only"};
+const std::array<std::string, 2> spin_words{"off", "on"};
+const std::array<std::string, 2> touch_words{"centre", "surface"};
+const std::array<std::string, 2> integrator_words{"verlet-half-step", "verlet-predicted"};
+
+/// Says which of several exclusive keys is given; none or two of them is an error.
+std::string exactly_one(const TomlTable& t, const std::vector<std::string>& keys) {
+    std::string found;
+    for (const auto& key : keys) {
+        if (!t.has(key)) continue;
+        if (!found.empty()) {
+            throw t.error(key, "contradicts", fmt::format("'{}' as well", t.dotted(found)),
+                          "one of the two", "remove one");
+        }
+        found = key;
+    }
+    if (found.empty()) {
+        throw t.error(keys.front(), "is missing", "",
+                      fmt::format("'{}' or one of its alternatives", keys.front()));
+    }
+    return found;
+}
+
+Grains read_grains(const TomlTable& t) {
+    const Grains grains{.diameter = t.number("diameter", Range::positive()),
+                        .mass = t.number("mass", Range::positive())};
+    t.reject_unknown_keys();
+    return grains;
+}
+
+/// k and eta from restitution and contact time of a head-on collision of two grains of mass m:
+/// eta = -m ln(e)/t_col, k = m ((pi/t_col)^2 + (eta/m)^2)/2  (Taguchi, below Eq. 1).
+void stiffness_from_collision(const TomlTable& t, double mass, ContactLaw& law) {
+    const double e = t.number("restitution", Range::left_open(0, 1));
+    const double t_col = t.number("contact_time", Range::positive());
+    const double rate = -std::log(e) / t_col;
+    const double omega = std::numbers::pi / t_col;
+    // log(1) is -0: an elastic grain has eta = 0, without a sign.
+    law.damping = e == 1 ? 0.0 : mass * rate;
+    law.stiffness = mass * (omega * omega + rate * rate) / 2;
+}
+
+ContactLaw read_contact(const TomlTable& t, double mass) {
+    ContactLaw law;
+    if (exactly_one(t, {"restitution", "stiffness"}) == "restitution") {
+        stiffness_from_collision(t, mass, law);
+    } else {
+        law.stiffness = t.number("stiffness", Range::positive());
+        law.damping = t.number("damping_coefficient", Range::not_negative());
+    }
+    law.damping_acts_on = static_cast<Damping>(t.choice("damping", damping_words));
+    law.clipping = static_cast<Clipping>(t.choice("clipping", clipping_words));
+    law.spins = static_cast<Spins>(t.choice("spins", spin_words));
+    t.reject_unknown_keys();
+    return law;
+}
+
+PrescribedPlate read_prescribed_plate(const TomlTable& t) {
+    const PrescribedPlate plate{.height = t.number("height", Range::any()),
+                                .amplitude =
+                                    t.optional_number("amplitude", Range::not_negative()).value_or(0),
+                                .period = t.optional_number("period", Range::positive()).value_or(1)};
+    if (plate.amplitude > 0 && !t.has("period")) {
+        throw t.error("period", "is missing", "", "the period of the plate's motion");
+    }
+    t.reject_unknown_keys();
+    return plate;
+}
+
+Lid read_lid(const TomlTable& t) {
+    if (!t.has("mass")) return read_prescribed_plate(t);
+    const FreeLid lid{.mass = t.number("mass", Range::positive()),
+                      .height = t.optional_number("height", Range::any()).value_or(0),
+                      .velocity = t.optional_number("velocity", Range::any()).value_or(0)};
+    t.reject_unknown_keys();
+    return lid;
+}
+
+Plates read_plates(const TomlTable& t, double contact_stiffness) {
+    Plates plates;
+    plates.touches = static_cast<PlateContact>(t.choice("touch", touch_words));
+    plates.stiffness =
+        t.optional_number("stiffness", Range::positive()).value_or(contact_stiffness);
+    if (t.has("bottom")) plates.bottom = read_prescribed_plate(t.table("bottom"));
+    if (t.has("lid")) plates.lid = read_lid(t.table("lid"));
+    t.reject_unknown_keys();
+    return plates;
+}
+
+std::vector<double> time_steps(const TomlTable& t, double t_col) {
+    if (exactly_one(t, {"dt", "steps_per_contact_time"}) == "dt") {
+        return t.numbers("dt", Range::positive());
+    }
+    std::vector<double> steps = t.numbers("steps_per_contact_time", Range::positive());
+    for (double& value : steps) value = t_col / value;
+    return steps;
+}
+
+/// Length of time given in contact times or in time units under `<key>_...`.
+double duration(const TomlTable& t, double t_col, const std::string& in_time,
+                const std::string& in_contact_times) {
+    return exactly_one(t, {in_time, in_contact_times}) == in_time
+               ? t.number(in_time, Range::positive())
+               : t.number(in_contact_times, Range::positive()) * t_col;
+}
+
+/// Whole number of steps nearest to a duration; within round-off of a half it does not matter.
+std::int64_t steps_in(const TomlTable& t, const char* key, double time, double dt) {
+    const double steps = std::round(time / dt);
+    if (!(steps >= 1)) {
+        throw t.error(key, "is shorter than a time step", fmt::format("{:g}", time),
+                      fmt::format("at least dt = {:g}", dt));
+    }
+    if (steps > 1e12) {
+        throw t.error(key, "is too long", fmt::format("{:g} steps", steps), "at most 1e12 steps");
+    }
+    return static_cast<std::int64_t>(steps);
+}
+
+void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
+    const double time = duration(t, t_col, "time", "contact_times");
+    const TomlTable frames = t.table("frames");
+    scene.steps = steps_in(t, "time", time, scene.dt);
+    if (frames.has("first_and_last") && frames.boolean("first_and_last")) {
+        scene.frame_every = scene.steps;
+    } else {
+        scene.frame_every = steps_in(
+            frames, "every_time", duration(frames, t_col, "every_time", "every_contact_times"),
+            scene.dt);
+    }
+    frames.reject_unknown_keys();
+    if (scene.frame_every > scene.steps) {
+        throw frames.error("every_time", "is longer than the run",
+                           fmt::format("{} steps", scene.frame_every),
+                           fmt::format("at most {} steps", scene.steps));
+    }
+    // The last frame is the end of the run.
+    const std::int64_t frames_needed =
+        (scene.steps + scene.frame_every - 1) / scene.frame_every;
+    scene.steps = frames_needed * scene.frame_every;
+}
+
+void check_consistency(const TomlTable& t, const Scene& scene) {
+    const bool has_plate =
+        scene.plates.bottom || !std::holds_alternative<std::monostate>(scene.plates.lid);
+    if (scene.periodic_y && has_plate) {
+        throw t.error("periodic_y", "contradicts", "plates as well", "a period along y or plates",
+                      "remove one");
+    }
+    if (!std::isfinite(contact_time(scene))) {
+        throw t.error("contact", "is overdamped", fmt::format("eta = {:g}", scene.contact.damping),
+                      "2 k/m > (eta/m)^2, so that a collision ends");
+    }
+}
+
+}  // namespace
+
+std::size_t ladder_size(const TomlTable& t) {
+    return t.numbers(exactly_one(t, {"dt", "steps_per_contact_time"}), Range::positive()).size();
+}
+
+Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
+    Scene scene;
+    scene.name = selection.name;
+    scene.seed = selection.seed;
+    scene.grains = read_grains(t.table("grains"));
+    scene.contact = read_contact(t.table("contact"), scene.grains.mass);
+    if (t.has("plates")) {
+        scene.plates = read_plates(t.table("plates"), scene.contact.stiffness);
+    }
+    scene.gravity = t.number("gravity", Range::not_negative());
+    scene.periodic_x = t.optional_number("periodic_x", Range::positive());
+    scene.periodic_y = t.optional_number("periodic_y", Range::positive());
+    scene.integrator = static_cast<Integrator>(t.choice("integrator", integrator_words));
+    check_consistency(t, scene);
+    const double t_col = contact_time(scene);
+    scene.dt = time_steps(t, t_col).at(selection.rung);
+    read_schedule(t, t_col, scene);
+    const InitialStateRecipe recipe = read_initial_state(t.table("initial"));
+    t.reject_unknown_keys();
+    try {
+        generate_initial_state(scene, recipe);
+    } catch (const std::invalid_argument& error) {
+        throw t.error("initial", "cannot be made", error.what(), "a state without contacts");
+    }
+    return scene;
+}
+
+}  // namespace crossgrain::scene

@@ -1,0 +1,28 @@
+// The [scene] table of a case file -> Scene. All keys are documented in cases/catalog/README.md.
+#pragma once
+
+#include "cases/scene/scene.hpp"
+#include "cases/scene/toml_table.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace crossgrain::scene {
+
+/// What distinguishes one run's scene from its siblings of the same table.
+struct SceneSelection {
+    std::string name;        ///< becomes Scene::name
+    std::size_t rung = 0;    ///< which of the listed time steps
+    std::uint64_t seed = 1;  ///< of the initial state
+};
+
+/// Number of time steps listed in `dt` or `steps_per_contact_time` (the rungs of a ladder), >= 1.
+[[nodiscard]] std::size_t ladder_size(const TomlTable& scene);
+
+/// Reads, checks and resolves the table, and generates the initial state.
+/// Throws CaseError for anything unknown, missing, of the wrong type, out of range or
+/// contradictory.
+[[nodiscard]] Scene read_scene(const TomlTable& scene, const SceneSelection& selection);
+
+}  // namespace crossgrain::scene

@@ -1,0 +1,269 @@
+#include "cases/scene/toml_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+namespace crossgrain::scene {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string shown(const toml::node& node) {
+    if (node.is_table()) return "a table";
+    if (node.is_array()) return "an array";
+    std::ostringstream out;
+    node.visit([&](const auto& value) { out << value; });
+    return out.str();
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+Range Range::any() { return {-infinity, infinity, false, "a finite number"}; }
+Range Range::positive() { return {0, infinity, true, "a number > 0"}; }
+Range Range::not_negative() { return {0, infinity, false, "a number >= 0"}; }
+Range Range::left_open(double low, double high) {
+    return {low, high, true, fmt::format("a number in ({:g}, {:g}]", low, high)};
+}
+Range Range::at_least(double low) {
+    return {low, infinity, false, fmt::format("a number >= {:g}", low)};
+}
+
+bool Range::holds(double value) const {
+    return std::isfinite(value) && (low_open ? value > low : value >= low) && value <= high;
+}
+
+std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
+    std::optional<std::string> best;
+    std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+    for (const auto& candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < best_distance) {
+            best = candidate;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+toml::table parse_toml_file(const std::string& file) {
+    if (!std::ifstream(file)) {
+        throw CaseError({.file = file, .problem = "cannot be read", .expected = "a TOML file"});
+    }
+    try {
+        return toml::parse_file(file);
+    } catch (const toml::parse_error& error) {
+        throw CaseError({.file = file,
+                         .line = static_cast<int>(error.source().begin.line),
+                         .column = static_cast<int>(error.source().begin.column),
+                         .problem = fmt::format("is not valid TOML: {}", error.description())});
+    }
+}
+
+TomlTable::TomlTable(std::string file, std::string path, std::vector<const toml::table*> layers)
+    : file_(std::move(file)), path_(std::move(path)), layers_(std::move(layers)) {}
+
+std::string TomlTable::dotted(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+const toml::node* TomlTable::find(std::string_view key) const {
+    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
+    for (const auto* layer : layers_) {
+        if (const auto* node = layer->get(key)) return node;
+    }
+    return nullptr;
+}
+
+bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
+
+const toml::node& TomlTable::required(std::string_view key, std::string_view type) const {
+    const auto* node = find(key);
+    if (node == nullptr) throw error(key, "is missing", "", std::string(type));
+    return *node;
+}
+
+double TomlTable::checked(std::string_view key, const toml::node& node, const Range& range) const {
+    const auto value = node.value<double>();
+    if (!node.is_number() || !value) {
+        throw error_at(node.source(), key, "has the wrong type", shown(node), range.text, {});
+    }
+    if (!range.holds(*value)) {
+        throw error_at(node.source(), key, "is out of range", shown(node), range.text, {});
+    }
+    return *value;
+}
+
+double TomlTable::number(std::string_view key, const Range& range) const {
+    return checked(key, required(key, range.text), range);
+}
+
+std::optional<double> TomlTable::optional_number(std::string_view key, const Range& range) const {
+    const auto* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    return checked(key, *node, range);
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, const Range& range) const {
+    const auto& node = required(key, range.text);
+    const auto* array = node.as_array();
+    if (array == nullptr) return {checked(key, node, range)};
+    if (array->empty()) throw error(key, "is empty", "[]", "at least one number");
+    std::vector<double> values;
+    for (const auto& element : *array) values.push_back(checked(key, element, range));
+    return values;
+}
+
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t least) const {
+    const std::string expected = fmt::format("an integer >= {}", least);
+    const auto& node = required(key, expected);
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value) throw error(key, "has the wrong type", shown(node), expected);
+    if (*value < least) throw error(key, "is out of range", shown(node), expected);
+    return *value;
+}
+
+std::string TomlTable::text(std::string_view key) const {
+    const auto& node = required(key, "a string");
+    const auto value = node.value_exact<std::string>();
+    if (!value) throw error(key, "has the wrong type", shown(node), "a string");
+    return *value;
+}
+
+std::optional<std::string> TomlTable::optional_text(std::string_view key) const {
+    if (!has(key)) return std::nullopt;
+    return text(key);
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+    const auto& node = required(key, "an array of strings");
+    const auto* array = node.as_array();
+    if (array == nullptr) throw error(key, "has the wrong type", shown(node), "an array of strings");
+    std::vector<std::string> values;
+    for (const auto& element : *array) {
+        const auto value = element.value_exact<std::string>();
+        if (!value) throw error(key, "has the wrong type", shown(element), "a string");
+        values.push_back(*value);
+    }
+    return values;
+}
+
+bool TomlTable::boolean(std::string_view key) const {
+    const auto& node = required(key, "true or false");
+    const auto value = node.value_exact<bool>();
+    if (!value) throw error(key, "has the wrong type", shown(node), "true or false");
+    return *value;
+}
+
+std::size_t TomlTable::choice(std::string_view key, std::span<const std::string> words) const {
+    const std::string value = text(key);
+    const auto found = std::find(words.begin(), words.end(), value);
+    if (found == words.end()) {
+        const auto near = nearest(value, words);
+        throw error(key, "is not known", fmt::format("\"{}\"", value),
+                    fmt::format("one of \"{}\"", fmt::join(words, "\", \"")),
+                    near ? fmt::format("did you mean \"{}\"?", *near) : "");
+    }
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+    if (!has(key)) return {file_, dotted(key), {}};
+    std::vector<const toml::table*> layers;
+    for (const auto* layer : layers_) {
+        const auto* node = layer->get(key);
+        if (node == nullptr) continue;
+        if (!node->is_table()) {
+            throw error_at(node->source(), key, "has the wrong type", shown(*node), "a table", {});
+        }
+        layers.push_back(node->as_table());
+    }
+    return {file_, dotted(key), std::move(layers)};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+    std::vector<TomlTable> result;
+    const auto* node = find(key);
+    if (node == nullptr) return result;
+    const auto* array = node->as_array();
+    if (array == nullptr || !array->is_array_of_tables()) {
+        throw error(key, "has the wrong type", shown(*node), fmt::format("[[{}]] tables", key));
+    }
+    for (const auto& element : *array) {
+        result.emplace_back(file_, dotted(key), std::vector<const toml::table*>{element.as_table()});
+    }
+    return result;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+    std::vector<std::string> result;
+    for (const auto* layer : layers_) {
+        for (const auto& [key, node] : *layer) {
+            const std::string name(key.str());
+            if (std::find(result.begin(), result.end(), name) == result.end()) {
+                result.push_back(name);
+            }
+        }
+    }
+    return result;
+}
+
+void TomlTable::reject_unknown_keys() const {
+    for (const auto* layer : layers_) {
+        for (const auto& [key, node] : *layer) {
+            if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
+            const auto near = nearest(key.str(), asked_);
+            throw error_at(key.source(), key.str(), "is not a known key", "",
+                           fmt::format("one of {}", fmt::join(asked_, ", ")),
+                           near ? fmt::format("did you mean '{}'?", *near) : "");
+        }
+    }
+}
+
+CaseError TomlTable::error(std::string_view key, std::string problem, std::string got,
+                           std::string expected, std::string hint) const {
+    toml::source_region where{};
+    if (const auto* node = find(key)) {
+        where = node->source();
+    } else if (!layers_.empty()) {
+        where = layers_.back()->source();
+    }
+    return error_at(where, key, std::move(problem), std::move(got), std::move(expected),
+                    std::move(hint));
+}
+
+CaseError TomlTable::error_at(const toml::source_region& where, std::string_view key,
+                              std::string problem, std::string got, std::string expected,
+                              std::string hint) const {
+    return CaseError({.file = file_,
+                      .line = static_cast<int>(where.begin.line),
+                      .column = static_cast<int>(where.begin.column),
+                      .key = dotted(key),
+                      .problem = std::move(problem),
+                      .got = std::move(got),
+                      .expected = std::move(expected),
+                      .hint = std::move(hint)});
+}
+
+}  // namespace crossgrain::scene

@@ -1,0 +1,89 @@
+// Reads TOML tables in layers (a case, its quick suite, its variants) and never lets anything slip:
+// an unknown key, a wrong type or a value out of range becomes a CaseError with file, line, column,
+// key, what was found, what was expected, and the nearest valid key.
+#pragma once
+
+#include "native/base/errors.hpp"
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crossgrain::scene {
+
+/// Closed or open interval of valid numbers, with its text for error lines.
+struct Range {
+    double low;
+    double high;
+    bool low_open = false;
+    std::string text;  ///< e.g. "a number > 0"
+
+    static Range any();
+    static Range positive();
+    static Range not_negative();
+    static Range left_open(double low, double high);  ///< low < value <= high
+    static Range at_least(double low);
+    [[nodiscard]] bool holds(double value) const;
+};
+
+class TomlTable {
+  public:
+    /// The upper layers come first; a key is taken from the first layer that has it.
+    TomlTable(std::string file, std::string path, std::vector<const toml::table*> layers);
+
+    [[nodiscard]] bool has(std::string_view key) const;
+    [[nodiscard]] double number(std::string_view key, const Range& range) const;
+    [[nodiscard]] std::optional<double> optional_number(std::string_view key,
+                                                        const Range& range) const;
+    /// One number, or an array of at least one.
+    [[nodiscard]] std::vector<double> numbers(std::string_view key, const Range& range) const;
+    [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t least) const;
+    [[nodiscard]] std::string text(std::string_view key) const;
+    [[nodiscard]] std::optional<std::string> optional_text(std::string_view key) const;
+    [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+    [[nodiscard]] bool boolean(std::string_view key) const;
+    /// One of `words`; returns its index.
+    [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string> words) const;
+    /// All layers' sub-tables of that key; an absent one reads as empty.
+    [[nodiscard]] TomlTable table(std::string_view key) const;
+    /// The tables of an array of tables, from the first layer that has it; empty if none has.
+    [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const;
+    [[nodiscard]] std::vector<std::string> keys() const;
+
+    /// To be called after all keys were asked for. Throws for a key nobody asked for.
+    void reject_unknown_keys() const;
+
+    [[nodiscard]] CaseError error(std::string_view key, std::string problem, std::string got,
+                                  std::string expected, std::string hint = {}) const;
+    [[nodiscard]] const std::string& file() const noexcept { return file_; }
+    [[nodiscard]] std::string dotted(std::string_view key) const;
+
+  private:
+    [[nodiscard]] const toml::node* find(std::string_view key) const;
+    [[nodiscard]] const toml::node& required(std::string_view key, std::string_view type) const;
+    [[nodiscard]] double checked(std::string_view key, const toml::node& node,
+                                 const Range& range) const;
+    [[nodiscard]] CaseError error_at(const toml::source_region& where, std::string_view key,
+                                     std::string problem, std::string got, std::string expected,
+                                     std::string hint) const;
+
+    std::string file_;
+    std::string path_;
+    std::vector<const toml::table*> layers_;
+    mutable std::vector<std::string> asked_;  ///< the known keys, for hints and unknown keys
+};
+
+/// The candidate nearest to `word` by edit distance, if any is near enough to be a typing error.
+[[nodiscard]] std::optional<std::string> nearest(std::string_view word,
+                                                 std::span<const std::string> candidates);
+
+/// Parses a file. Throws CaseError when it cannot be read or is not TOML.
+[[nodiscard]] toml::table parse_toml_file(const std::string& file);
+
+}  // namespace crossgrain::scene

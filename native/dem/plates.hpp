@@ -1,0 +1,38 @@
+// Elastic plates without dissipation (Taguchi, section 2.2 and Eq. 2): a grain whose touching
+// point lies beyond the plate by `overlap` is pushed back with k overlap, the lid with the reaction.
+#pragma once
+
+#include "native/dem/system.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace crossgrain::dem {
+
+inline double MovingPlate::position(double t) const { return height + amplitude * std::cos(omega * t); }
+
+/// Adds the bottom's force to fy. shape (grains)
+inline void push_from_bottom(double bottom, double stiffness, double reach,
+                             const std::vector<double>& y, std::vector<double>& fy) {
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double overlap = bottom - (y[i] - reach);
+        if (overlap > 0) fy[i] += stiffness * overlap;
+    }
+}
+
+/// Adds the lid's force to fy and returns the sum of the reactions on the lid.
+inline double push_from_lid(double lid, double stiffness, double reach,
+                            const std::vector<double>& y, std::vector<double>& fy) {
+    double reaction = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double overlap = (y[i] + reach) - lid;
+        if (overlap > 0) {
+            fy[i] -= stiffness * overlap;
+            reaction += stiffness * overlap;
+        }
+    }
+    return reaction;
+}
+
+}  // namespace crossgrain::dem

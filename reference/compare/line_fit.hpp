@@ -1,0 +1,32 @@
+// Straight line through points with errors, y = a + b x, by weighted least squares
+// (Bevington & Robinson, Data Reduction and Error Analysis, 3rd ed. (2003), Eqs. 6.12 and 6.23).
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace crossgrain::compare {
+
+struct LineFit {
+    double intercept = 0, slope = 0;
+    double intercept_variance = 0, slope_variance = 0, covariance = 0;
+    double chi_squared = 0;         ///< weighted; sum of squared residuals for equal weights
+    double degrees_of_freedom = 0;  ///< points - 2
+
+    [[nodiscard]] double intercept_error() const;
+    [[nodiscard]] double slope_error() const;
+    [[nodiscard]] double at(double x) const { return intercept + slope * x; }
+    /// Standard error of at(x), with the covariance.
+    [[nodiscard]] double error_at(double x) const;
+};
+
+/// Known standard errors of y: the covariance follows from them alone.
+/// Throws std::invalid_argument unless the spans are equally long (>= 2), all numbers finite, all
+/// errors > 0 and the x not all the same.
+[[nodiscard]] LineFit fit_line(std::span<const double> x, std::span<const double> y,
+                               std::span<const double> standard_errors);
+
+/// Unknown, equal errors: they are estimated from the residuals, so that three points are needed.
+[[nodiscard]] LineFit fit_line(std::span<const double> x, std::span<const double> y);
+
+}  // namespace crossgrain::compare

@@ -1,0 +1,77 @@
+#include "reports/web/csv.hpp"
+
+#include <vector>
+
+#include "reports/web/document.hpp"
+
+namespace crossgrain::reports {
+namespace {
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"') result += '"';
+        result += c;
+    }
+    return result + '"';
+}
+
+void append_row(std::string& csv, const std::vector<std::string>& fields) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (i > 0) csv += ',';
+        csv += quoted(fields[i]);
+    }
+    csv += '\n';
+}
+
+std::string element(const nlohmann::json& list, std::size_t i) {
+    return i < list.size() && list[i].is_number() ? list[i].dump() : std::string{};
+}
+
+std::string settings(const nlohmann::json& object) {
+    std::string result;
+    const auto found = object.find("settings");
+    if (found == object.end() || !found->is_object()) return result;
+    for (const auto& [key, value] : found->items()) {
+        if (!result.empty()) result += "; ";
+        result += key + '=' + (value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string measurements_csv(const nlohmann::json& document) {
+    std::string csv;
+    append_row(csv, {"case", "code", "variant", "observable", "value", "stderr", "systematic",
+                     "ci95_low", "ci95_high", "n", "unit", "settings"});
+    for (const auto& item : list_at(document, "cases"))
+        for (const auto& m : list_at(item, "measurements")) {
+            const auto& ci = list_at(m, "ci95");
+            append_row(csv, {text_at(item, "case"), text_at(m, "code"), text_at(m, "variant"),
+                             text_at(m, "observable"), number_at(m, "value"),
+                             number_at(m, "stderr"), number_at(m, "systematic"), element(ci, 0),
+                             element(ci, 1), number_at(m, "n"), text_at(m, "unit"), settings(m)});
+        }
+    return csv;
+}
+
+std::string verdicts_csv(const nlohmann::json& document) {
+    std::string csv;
+    append_row(csv, {"case", "code", "against", "observable", "kind", "setting", "difference",
+                     "uncertainty", "limit", "verdict", "expected", "reason", "limit_reason"});
+    for (const auto& item : list_at(document, "cases"))
+        for (const auto& v : list_at(item, "verdicts")) {
+            const auto expected = v.find("expected");
+            append_row(csv, {text_at(item, "case"), text_at(v, "code"), text_at(v, "against"),
+                             text_at(v, "observable"), text_at(v, "kind"), text_at(v, "setting"),
+                             number_at(v, "difference"), number_at(v, "uncertainty"),
+                             number_at(v, "limit"), text_at(v, "verdict"),
+                             expected != v.end() && expected->is_boolean() ? expected->dump() : "",
+                             text_at(v, "reason"), text_at(v, "limit_reason")});
+        }
+    return csv;
+}
+
+}  // namespace crossgrain::reports
