@@ -53,3 +53,18 @@ function(crossgrain_test name)
     add_test(NAME ${name} COMMAND test_${name})
     set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
 endfunction()
+
+# crossgrain_share(<name>): the *.toml files of this folder travel with the binary, in
+# <build>/share/crossgrain/<name>.
+function(crossgrain_share name)
+    file(GLOB files CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.toml")
+    set(share "${CMAKE_BINARY_DIR}/share/crossgrain/${name}")
+    set(copies "")
+    foreach(file IN LISTS files)
+        get_filename_component(file_name "${file}" NAME)
+        add_custom_command(OUTPUT "${share}/${file_name}" DEPENDS "${file}"
+            COMMAND ${CMAKE_COMMAND} -E copy "${file}" "${share}/${file_name}")
+        list(APPEND copies "${share}/${file_name}")
+    endforeach()
+    add_custom_target(share_${name} ALL DEPENDS ${copies})
+endfunction()

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <system_error>
 
 namespace crossgrain::adapters::dump {
@@ -15,15 +15,19 @@ namespace {
 
 constexpr std::array<const char*, 6> meaning_names = {"", "id", "x", "y", "vx", "vy"};
 
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
 
 /// The next word; moves `rest` behind it.
 std::string_view next_word(std::string_view& rest) {
     const char* begin = rest.data();
     const char* const end = begin + rest.size();
-    while (begin != end && is_blank(*begin)) ++begin;
+    while (begin != end && is_blank(*begin))
+        ++begin;
     const char* stop = begin;
-    while (stop != end && !is_blank(*stop)) ++stop;
+    while (stop != end && !is_blank(*stop))
+        ++stop;
     rest = {stop, static_cast<std::size_t>(end - stop)};
     return {begin, static_cast<std::size_t>(stop - begin)};
 }
@@ -41,32 +45,29 @@ Number parse(std::string_view word, const char* column) {
 
 }  // namespace
 
-Columns::Columns(std::string_view names, bool wrapped_x_is_fine) {
+Columns::Columns(std::string_view names, bool periodic_x, bool periodic_y) {
     std::vector<std::string_view> words;
-    for (auto rest = names; !rest.empty();) words.push_back(next_word(rest));
+    for (auto rest = names; !rest.empty();)
+        words.push_back(next_word(rest));
     meanings_.assign(words.size(), Meaning::ignored);
     std::size_t needed = 0;
-    const auto assign = [&](Meaning meaning, std::initializer_list<std::string_view> accepted) {
-        for (const auto name : accepted) {
-            for (std::size_t i = 0; i < words.size(); ++i) {
-                if (words[i] != name) continue;
-                meanings_[i] = meaning;
-                needed = std::max(needed, i + 1);
-                return;
-            }
+    const auto assign = [&](Meaning meaning, std::string_view name, std::string_view other = {}) {
+        auto found = std::find(words.begin(), words.end(), name);
+        if (found == words.end() && !other.empty()) {
+            found = std::find(words.begin(), words.end(), other);
         }
-        throw TrajectoryError(
-            fmt::format("column '{}' is missing (found: {})", *accepted.begin(), names));
+        if (found == words.end()) {
+            throw TrajectoryError(fmt::format("column '{}' is missing (found:{})", name, names));
+        }
+        const auto index = static_cast<std::size_t>(found - words.begin());
+        meanings_[index] = meaning;
+        needed = std::max(needed, index + 1);
     };
-    assign(Meaning::id, {"id"});
-    if (wrapped_x_is_fine) {
-        assign(Meaning::x, {"xu", "x"});
-    } else {
-        assign(Meaning::x, {"xu"});
-    }
-    assign(Meaning::y, {"yu", "y"});  // no scene is periodic in y
-    assign(Meaning::vx, {"vx"});
-    assign(Meaning::vy, {"vy"});
+    assign(Meaning::id, "id");
+    assign(Meaning::x, "xu", periodic_x ? "" : "x");
+    assign(Meaning::y, "yu", periodic_y ? "" : "y");
+    assign(Meaning::vx, "vx");
+    assign(Meaning::vy, "vy");
     meanings_.resize(needed);
 }
 

@@ -16,9 +16,10 @@ struct Row {
 
 class Columns {
   public:
-    /// `names`: what follows "ITEM: ATOMS", e.g. "id type xu yu vx vy". `wrapped_x_is_fine`: the
-    /// plain column x may stand for xu. Throws TrajectoryError when a column is missing.
-    Columns(std::string_view names, bool wrapped_x_is_fine);
+    /// `names`: what follows "ITEM: ATOMS", e.g. "id type xu yu vx vy". Along a periodic axis only
+    /// the unwrapped position will do, otherwise x may stand for xu and y for yu.
+    /// Throws TrajectoryError when a column is missing.
+    Columns(std::string_view names, bool periodic_x, bool periodic_y);
     Columns() = default;
 
     /// Throws TrajectoryError for a short row, a value that is not a number or is not finite.

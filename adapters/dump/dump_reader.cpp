@@ -10,50 +10,20 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace crossgrain::adapters::dump {
 
-/// Bytes are cut into lines; what a line must be follows from the lines before it.
-struct DumpReader::State {
-    enum class Expects { item, skipped_value, timestep, atom_count, bounds, row };
-
-    State(const scene::Scene& given_scene, scene::FrameSink given_sink)
-        : scene(given_scene), sink(std::move(given_sink)), grains(given_scene.grain_count()),
-          atoms(grains + (given_scene.has_free_lid() ? 1 : 0)), x(atoms), y(atoms), vx(atoms),
-          vy(atoms), seen_in(atoms, 0) {}
-
-    void take_line(std::string_view line);
-    void take_item(std::string_view line);
-    void take_atom_count(std::string_view line);
-    void take_row(std::string_view line);
-    void emit();
-
-    // A copy: the reader outlives nobody's scene by accident. Only what is needed is read.
-    const scene::Scene& scene;
-    scene::FrameSink sink;
-    std::size_t grains, atoms;
-
-    std::string partial_line;
-    std::int64_t line_number = 0;
-    Expects expects = Expects::item;
-    int bounds_left = 0;
-    std::optional<std::int64_t> step;
-    bool counted = false;
-    Columns columns;
-    std::size_t rows_left = 0;
-    std::int64_t frame_number = 0;  // 1-based while its rows are read
-
-    std::vector<double> x, y, vx, vy;       // shape (grains + lid), by id
-    std::vector<std::int64_t> seen_in;      // frame in which an id was last seen
-};
-
 namespace {
 
 std::int64_t parse_integer(std::string_view line, const char* what) {
-    while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
-    while (!line.empty() && line.back() == ' ') line.remove_suffix(1);
+    while (!line.empty() && line.front() == ' ')
+        line.remove_prefix(1);
+    while (!line.empty() && line.back() == ' ')
+        line.remove_suffix(1);
     std::int64_t value = 0;
     const char* const end = line.data() + line.size();
     const auto [stop, error] = std::from_chars(line.data(), end, value);
@@ -64,3 +34,210 @@ std::int64_t parse_integer(std::string_view line, const char* what) {
 }
 
 }  // namespace
+
+/// What a line must be follows from the lines before it.
+struct DumpReader::State {
+    enum class Expects { item, skipped_value, step, atom_count, bounds, row };
+
+    State(const scene::Scene& given_scene, scene::FrameSink given_sink)
+        : scene(given_scene), sink(std::move(given_sink)), grains(given_scene.grain_count()),
+          atoms(grains + (given_scene.has_free_lid() ? 1 : 0)), x(atoms), y(atoms), vx(atoms),
+          vy(atoms), seen_in(atoms, 0) {}
+
+    /// Takes a line without its end; names it when something is wrong with it.
+    void take_line(std::string_view line);
+
+    [[nodiscard]] std::string place() const {
+        return step ? fmt::format("frame at step {}", *step)
+                    : fmt::format("frame {}", frames_complete);
+    }
+
+    const scene::Scene& scene;
+    scene::FrameSink sink;
+    std::size_t grains, atoms;
+
+    std::string partial_line;
+    std::int64_t line_number = 0;
+    std::int64_t frames_complete = 0;
+    Expects expects = Expects::item;
+    int bounds_left = 0;
+    std::optional<std::int64_t> step;  // of the frame that is being read
+    bool counted = false;
+    bool bounded = false;
+    Columns columns;
+    std::size_t rows_left = 0;
+
+    std::vector<double> x, y, vx, vy;   // shape (grains + lid), by id
+    std::vector<std::int64_t> seen_in;  // 1 + number of the frame in which an id was last seen
+
+  private:
+    void interpret(std::string_view line);
+    void take_item(std::string_view line);
+    void take_atom_count(std::string_view line);
+    void take_columns(std::string_view names);
+    void take_row(std::string_view line);
+    void emit();
+};
+
+void DumpReader::State::take_line(std::string_view line) {
+    ++line_number;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    try {
+        interpret(line);
+    } catch (const TrajectoryError& error) {
+        throw TrajectoryError(fmt::format("dump, line {}: {}", line_number, error.what()));
+    }
+    // Outside: what the sink throws about a frame is not about a line.
+    if (expects == Expects::row && rows_left == 0) emit();
+}
+
+void DumpReader::State::interpret(std::string_view line) {
+    switch (expects) {
+    case Expects::row:
+        return take_row(line);
+    case Expects::item:
+        return take_item(line);
+    case Expects::skipped_value:
+        expects = Expects::item;
+        return;
+    case Expects::step:
+        step = parse_integer(line, "step");
+        expects = Expects::item;
+        return;
+    case Expects::atom_count:
+        return take_atom_count(line);
+    case Expects::bounds:
+        if (--bounds_left == 0) expects = Expects::item;
+        return;
+    }
+}
+
+void DumpReader::State::take_item(std::string_view line) {
+    constexpr std::string_view atoms_item = "ITEM: ATOMS";
+    if (line.starts_with(atoms_item) && bounded) {
+        take_columns(line.substr(atoms_item.size()));
+    } else if ((line.starts_with("ITEM: UNITS") || line.starts_with("ITEM: TIME")) &&
+               !line.starts_with("ITEM: TIMESTEP") && !step) {
+        expects = Expects::skipped_value;
+    } else if (line.starts_with("ITEM: TIMESTEP") && !step) {
+        expects = Expects::step;
+    } else if (line.starts_with("ITEM: NUMBER OF ATOMS") && step && !counted) {
+        expects = Expects::atom_count;
+    } else if (line.starts_with("ITEM: BOX BOUNDS") && counted && !bounded) {
+        bounded = true;
+        bounds_left = 3;
+        expects = Expects::bounds;
+    } else {
+        throw TrajectoryError(fmt::format(
+            "'{}' is out of place (a frame is ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS)",
+            line.substr(0, 60)));
+    }
+}
+
+void DumpReader::State::take_atom_count(std::string_view line) {
+    const std::int64_t count = parse_integer(line, "number of atoms");
+    if (count != static_cast<std::int64_t>(atoms)) {
+        throw TrajectoryError(fmt::format("{} holds {} atoms, {} expected ({} grains{})", place(),
+                                          count, atoms, grains,
+                                          atoms > grains ? " and a lid" : ""));
+    }
+    counted = true;
+    expects = Expects::item;
+}
+
+void DumpReader::State::take_columns(std::string_view names) {
+    columns = Columns(names, scene.periodic_x.has_value(), scene.periodic_y.has_value());
+    rows_left = atoms;
+    expects = Expects::row;
+}
+
+void DumpReader::State::take_row(std::string_view line) {
+    if (line.starts_with("ITEM:")) {
+        throw TrajectoryError(
+            fmt::format("{} has {} rows, {} expected", place(), atoms - rows_left, atoms));
+    }
+    const Row row = columns.read(line);
+    if (row.id < 1 || row.id > static_cast<std::int64_t>(atoms)) {
+        throw TrajectoryError(fmt::format("unknown id {} (1 to {} expected)", row.id, atoms));
+    }
+    const auto i = static_cast<std::size_t>(row.id - 1);
+    if (seen_in[i] == frames_complete + 1) {
+        throw TrajectoryError(fmt::format("id {} appears twice in the {}", row.id, place()));
+    }
+    seen_in[i] = frames_complete + 1;
+    std::tie(x[i], y[i], vx[i], vy[i]) =
+        std::tie(row.values[0], row.values[1], row.values[2], row.values[3]);
+    --rows_left;
+}
+
+void DumpReader::State::emit() {
+    const auto of_grains = [this](const std::vector<double>& values) {
+        return std::span<const double>(values.data(), grains);
+    };
+    scene::Frame frame{.step = *step,
+                       .time = static_cast<double>(*step) * scene.dt,
+                       .x = of_grains(x),
+                       .y = of_grains(y),
+                       .vx = of_grains(vx),
+                       .vy = of_grains(vy),
+                       .lid = {}};
+    if (atoms > grains) frame.lid = {.height = y[grains], .velocity = vy[grains]};
+    ++frames_complete;
+    step.reset();
+    counted = bounded = false;
+    expects = Expects::item;
+    sink(frame);
+}
+
+DumpReader::DumpReader(const scene::Scene& scene, scene::FrameSink sink)
+    : state_(std::make_unique<State>(scene, std::move(sink))) {}
+
+DumpReader::~DumpReader() = default;
+
+void DumpReader::feed(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const auto* const end =
+            static_cast<const char*>(std::memchr(bytes.data(), '\n', bytes.size()));
+        if (end == nullptr) {
+            state_->partial_line += bytes;
+            return;
+        }
+        const auto length = static_cast<std::size_t>(end - bytes.data());
+        if (state_->partial_line.empty()) {
+            state_->take_line(bytes.substr(0, length));
+        } else {
+            state_->partial_line += bytes.substr(0, length);
+            state_->take_line(std::exchange(state_->partial_line, {}));
+        }
+        bytes.remove_prefix(length + 1);
+    }
+}
+
+void DumpReader::finish() {
+    const State& s = *state_;
+    const bool between_frames = s.expects == State::Expects::item && !s.step && !s.counted;
+    if (!between_frames || !s.partial_line.empty()) {
+        throw TrajectoryError(fmt::format("dump ends in the middle of the {} (after line {})",
+                                          s.place(), s.line_number));
+    }
+    if (s.frames_complete == 0) throw TrajectoryError("dump holds no frame");
+}
+
+void read_dump_file(const std::filesystem::path& file, const scene::Scene& scene,
+                    const scene::FrameSink& sink) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) {
+        throw CaseError({.file = file.string(),
+                         .problem = "cannot be opened",
+                         .expected = "a LAMMPS text dump"});
+    }
+    DumpReader reader(scene, sink);
+    std::vector<char> block(std::size_t{1} << 20);
+    while (in) {
+        in.read(block.data(), static_cast<std::streamsize>(block.size()));
+        reader.feed({block.data(), static_cast<std::size_t>(in.gcount())});
+    }
+    reader.finish();
+}
+
+}  // namespace crossgrain::adapters::dump

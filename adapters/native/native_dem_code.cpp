@@ -7,6 +7,7 @@
 #include "native/dem/engine.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -169,10 +170,11 @@ RunCost NativeDemCode::run(const scene::Scene& scene, const RunOptions& options,
                            const scene::FrameSink& sink) const {
     const Supervisor supervisor(options);
     const double cpu_start = thread_cpu_seconds();
-    std::ofstream dump;
-    if (options.keep_dump) dump.open(options.directory / "dump.txt");
+    std::ofstream file;
+    if (options.keep_dump) file.open(options.directory / "dump.txt");
+    dump::DumpWriter write_frame(scene, file);
     const scene::FrameSink tee = [&](const scene::Frame& frame) {
-        if (dump.is_open()) dump::write_frame(dump, scene, frame);
+        if (options.keep_dump) write_frame(frame);
         sink(frame);
     };
     try {

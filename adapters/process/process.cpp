@@ -49,6 +49,9 @@ ChildSetup setup_of(const Command& command) {
         throw std::system_error(ENOENT, std::generic_category(), command.argv.front());
     }
     const fs::path directory = fs::absolute(command.directory);
+    if (!fs::is_directory(directory)) {
+        throw std::system_error(ENOTDIR, std::generic_category(), directory.string());
+    }
     return {.program = *program,
             .argv = command.argv,
             .directory = directory,

@@ -21,13 +21,14 @@
 // vectors share the end point of one and the start of the next and may be correlated: the setting
 // `stderr_blocks_of_two` is the same error with neighbouring pairs of vectors deleted together; if
 // it is much larger, the standard error is too small. Systematic error: half the spread of the
-// slope over the windows K = 1-8, 1-16 and 1-32.
+// slope over the fit window and the windows K = 1-8, 1-16 and 1-32; 0 for the slope of the tail.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/layer_spectrum.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace crossgrain::measure {
@@ -56,7 +57,8 @@ struct DisplacementSpectrumOptions {
 /// for white noise); `displacement_vectors`, their number. n is the number of vectors.
 /// Series "spectrum": K = 1..L/2 and per group S_<first>_<last>, stderr_<first>_<last>.
 ///
-/// With fewer than three vectors only `displacement_vectors` is reported. A group with a layer-
+/// Without a vector (h0 is crossed less than twice) nothing is reported, with fewer than three only
+/// `displacement_vectors`. A group with a layer-
 /// averaged S of zero anywhere in a window (empty layers) gives no slope; a window beyond L/2 gives
 /// none either. Nothing for scenes without bottom, lid or period, or whose period is not a whole
 /// number of diameters. Throws std::invalid_argument for options that make no sense.
@@ -67,6 +69,9 @@ class DisplacementSpectrum final : public Estimator {
     void finish(Results& results) override;
 
   private:
+    struct FitWindow {
+        int k_min, k_max;
+    };
     /// What is kept of a frame to interpolate. Arrays have shape (grains).
     struct Instant {
         double time = 0;
@@ -84,14 +89,14 @@ class DisplacementSpectrum final : public Estimator {
     [[nodiscard]] std::optional<double> crossing_time(const Instant& a, const Instant& b) const;
     [[nodiscard]] Positions interpolate(double time, const Instant& a, const Instant& b) const;
     void add_vector(const Positions& start, const Positions& end);
-    void add_slopes(std::size_t group, Results& results) const;
+    void add_slope(std::size_t group, FitWindow window, const std::string& prefix,
+                   bool with_systematic, Results& results) const;
     void add_series(Results& results) const;
 
     DisplacementSpectrumOptions options_;
-    bool applicable_ = false;
     double diameter_ = 0;
     scene::Plates plates_;
-    std::optional<LayerSpectrum> spectrum_;
+    std::optional<LayerSpectrum> spectrum_;  ///< absent if the scene cannot be measured
     std::optional<Instant> previous_;
     Instant current_;
     std::optional<Positions> start_;

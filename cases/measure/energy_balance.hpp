@@ -57,9 +57,10 @@ class EnergyBalance final : public Estimator {
     };
     struct Balance {
         double input = 0, dissipated = 0;
+        double change = 0;  ///< of E_tot
+        [[nodiscard]] double residual() const noexcept { return input - dissipated - change; }
     };
 
-    [[nodiscard]] Sample sample(const scene::Frame& frame);
     void add_motion(const scene::Frame& frame, Sample& sample) const;
     void add_pairs(const scene::Frame& frame, Sample& sample);
     void add_plates(const scene::Frame& frame, Sample& sample) const;
@@ -76,6 +77,7 @@ class EnergyBalance final : public Estimator {
     scene::ContactLaw contact_;
     scene::Plates plates_;
     double gravity_ = 0;
+    std::vector<bool> frozen_;  ///< empty when no grain is frozen
     ContactSearch contacts_;
     std::vector<Sample> samples_;  ///< shape (frames): powers and energies, no trajectory
 };

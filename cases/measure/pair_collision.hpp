@@ -63,13 +63,16 @@ class PairCollision final : public Estimator {
     };
 
     [[nodiscard]] std::vector<Flight> flights(const scene::Frame& frame) const;
+    void choose_images(const scene::Frame& frame);
     [[nodiscard]] std::optional<Collision> collision(const Flight& first, const Flight& last) const;
+    static void add_complete(const std::vector<Collision>& complete, Results& results);
 
     bool applicable_ = false;
     std::size_t pairs_ = 0;
     double diameter_ = 0;
-    std::optional<double> period_;
-    std::vector<Flight> first_, last_;  ///< shape (pairs)
+    std::optional<double> period_x_, period_y_;
+    std::vector<double> shift_x_, shift_y_;  ///< to the image met, shape (pairs)
+    std::vector<Flight> first_, last_;       ///< shape (pairs)
 };
 
 }  // namespace crossgrain::measure

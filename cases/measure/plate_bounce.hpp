@@ -39,12 +39,19 @@ class PlateBounce final : public Estimator {
         double gap = 0, gap_rate = 0;
         double momentum = 0;  ///< of grain and free lid
     };
+    struct Bounce {
+        double restitution = 0;
+        double contact_time = 0;
+        double momentum_error = 0;
+    };
     struct GrainFlights {
         Flight bottom, lid;
     };
 
     [[nodiscard]] std::vector<GrainFlights> flights(const scene::Frame& frame) const;
-    [[nodiscard]] Plate target(const GrainFlights& first) const;
+    [[nodiscard]] static Plate target(const GrainFlights& first);
+    [[nodiscard]] static std::optional<Bounce> bounce(const Flight& in, const Flight& out,
+                                                      double reduced_mass);
 
     bool applicable_ = false;
     scene::Plates plates_;

@@ -7,6 +7,9 @@
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::Range;
+using toml_input::TomlTable;
+
 std::size_t count_of(const TomlTable& t, const char* key) {
     return static_cast<std::size_t>(t.integer(key, 1));
 }

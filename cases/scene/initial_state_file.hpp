@@ -2,11 +2,11 @@
 #pragma once
 
 #include "cases/scene/initial_state.hpp"
-#include "cases/scene/toml_table.hpp"
+#include "cases/toml/toml_table.hpp"
 
 namespace crossgrain::scene {
 
 /// Throws CaseError.
-[[nodiscard]] InitialStateRecipe read_initial_state(const TomlTable& initial);
+[[nodiscard]] InitialStateRecipe read_initial_state(const toml_input::TomlTable& initial);
 
 }  // namespace crossgrain::scene

@@ -12,6 +12,9 @@
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::Range;
+using toml_input::TomlTable;
+
 const std::array<std::string, 2> damping_words{"full-vector", "normal-only"};
 const std::array<std::string, 3> clipping_words{"none", "all", "normal-only"};
 const std::array<std::string, 2> spin_words{"off", "on"};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cases/scene/scene.hpp"
-#include "cases/scene/toml_table.hpp"
+#include "cases/toml/toml_table.hpp"
 
 #include <cstdint>
 #include <string>
@@ -18,11 +18,11 @@ struct SceneSelection {
 };
 
 /// Number of time steps listed in `dt` or `steps_per_contact_time` (the rungs of a ladder), >= 1.
-[[nodiscard]] std::size_t ladder_size(const TomlTable& scene);
+[[nodiscard]] std::size_t ladder_size(const toml_input::TomlTable& scene);
 
 /// Reads, checks and resolves the table, and generates the initial state.
 /// Throws CaseError for anything unknown, missing, of the wrong type, out of range or
 /// contradictory.
-[[nodiscard]] Scene read_scene(const TomlTable& scene, const SceneSelection& selection);
+[[nodiscard]] Scene read_scene(const toml_input::TomlTable& scene, const SceneSelection& selection);
 
 }  // namespace crossgrain::scene

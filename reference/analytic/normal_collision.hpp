@@ -13,7 +13,7 @@
 //
 // Attraction cut: the force k delta + eta delta' = -mu delta'' vanishes for good at the first zero
 // of delta'', tan(omega t_f) = 2 gamma omega/(gamma^2 - omega^2) with 0 < omega t_f < pi, that is
-//   omega t_f = atan2(2 gamma omega, gamma^2 - omega^2);
+//   omega t_f = atan2(2 gamma omega, gamma^2 - omega^2) = 2 atan(omega/gamma);
 // there sin(omega t_f) = 2 gamma omega/omega0^2 and cos(omega t_f) = (gamma^2 - omega^2)/omega0^2,
 // so that delta'(t_f) = -v exp(-gamma t_f), and
 //   e = exp(-gamma t_f)                            (Schwager & Poeschel, Granular Matter 9, 465
@@ -21,7 +21,7 @@
 // The bodies still overlap by delta = -(eta/k) delta'(t_f) and part freely, which takes eta/k:
 //   t_c = t_f + eta/k.
 // Critical damping (omega -> 0): t_f = 2/gamma, e = exp(-2). Overdamped, with beta^2 = gamma^2 -
-// omega0^2: t_f = ln((gamma + beta)/(gamma - beta))/beta. All are one continuous function.
+// omega0^2: t_f = 2 atanh(beta/gamma)/beta. All are one continuous function.
 #pragma once
 
 namespace crossgrain::analytic {

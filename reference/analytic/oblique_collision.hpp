@@ -43,13 +43,14 @@ struct ObliqueCollision {
     double force_time = 0;              ///< (t), until the normal force is dropped; else t_c
     double angular_momentum_ratio = 0;  ///< (r x v)_out/(r x v)_in; its limit if b = 0 is not
                                         ///< taken: NaN
-    double speed_ratio = 0;  ///< |v_out|/|v_in|
-    double deflection = 0;   ///< angle from v_in to v_out (rad), in [0, pi]
-    double dissipated = 0;   ///< loss of kinetic energy of the relative motion (m l^2/t^2)
+    double speed_ratio = 0;             ///< |v_out|/|v_in|
+    double deflection = 0;              ///< angle from v_in to v_out (rad), in [0, pi]
+    double dissipated = 0;  ///< loss of kinetic energy of the relative motion (m l^2/t^2)
 };
 
-/// Throws std::domain_error for parameters out of range, and if the grains do not part within 100
-/// undamped half periods pi sqrt(mu/k) (they stick: overdamped without clipping).
+/// Throws std::domain_error for parameters out of range, for a speed at which the centres could
+/// meet (v sqrt(mu/k) >= d), and if the grains do not part within 100 undamped half periods pi
+/// sqrt(mu/k) (they stick: overdamped without clipping).
 [[nodiscard]] ObliqueCollision oblique_collision(const ObliqueContact& contact,
                                                  const ObliqueImpact& impact);
 

@@ -10,9 +10,16 @@
 // Modes of the lattice with contacts at their rest length: for wave vector q, bonds a_j (six),
 //   D(q) = (k/m)  sum_j (1 - cos q.a_j) n_j n_j^T          (stiffness)
 //   C(q) = (eta/m) sum_j (1 - cos q.a_j) 1    full vector,  (eta/k) D(q)   normal only.
-// At the middle M of an edge of the Brillouin zone: w^2 = 6 k/m (the largest there is), c = 8 eta/m
-// (full) or 6 eta/m (normal). At its corner K: w^2 = 4.5 k/m, c = 9 eta/m (full, the largest there
-// is). The limit is the smaller of both; with full damping of M, w^2 dt^2 + 16 (eta/m) dt = 4.
+// Both grow towards the edge of the Brillouin zone, and on the edge, from its middle M (u = 1) to a
+// corner K (u = 1/2), the stiffer branch has with unit bond length and u = cos(q_x/2)
+//   w^2 = 3 (1 + u) k/m,   c = 4 (1 + u)(2 - u) eta/m (full),   (eta/k) w^2 (normal only).
+// Normal only, or little damping: M is the first to go, w^2 = 6 k/m (the largest there is), with
+//   w^2 dt^2 + 16 (eta/m) dt = 4 (full),   w^2 dt^2 + 12 (eta/m) dt = 4 (normal only).
+// More full damping: with a = 3 (k/m) dt^2, b = 8 (eta/m) dt the condition for u is
+// (1 + u)(a + b (2 - u)) = 4; its left side is largest at u = 1/2 + a/(2 b), which is below 1 if
+// k dt < (8/3) eta, and there (a + 3 b)^2 = 16 b, a cubic for s = sqrt(dt):
+//   s^3 + 8 (eta/k) s = (8/3) sqrt(2 eta m)/k.
+// The limit at M alone is 1 % too large for e = 0.5, and right for e = 0.8, at equal t_col.
 // Contacts that open lower all frequencies, so that a bed may run beyond the limit for a while;
 // a stable time step is not an accurate one.
 #pragma once
@@ -29,6 +36,7 @@ namespace crossgrain::analytic {
 [[nodiscard]] double largest_lattice_frequency(double stiffness, double mass);
 
 /// Largest dt (t) of the half-step Verlet scheme in the lattice; damping 0 gives 2/omega_max.
+/// Throws std::domain_error for arguments out of range.
 [[nodiscard]] double lattice_time_step_limit(double stiffness, double damping, double mass,
                                              Damping damping_acts_on);
 

@@ -33,9 +33,11 @@ struct Convergence {
 };
 
 /// Standard errors are widened by sqrt(chi^2/dof) where that exceeds 1 (points that scatter more
-/// than their errors allow do not lie on the line). Errors that are all 0 count as unknown and
-/// equal and are estimated from the residuals. Throws std::invalid_argument for fewer than three
-/// different time steps, numbers out of range, or errors of which some but not all are 0.
+/// than their errors allow do not lie on the line), and then rest on rungs - 2 degrees of freedom;
+/// else they rest on the stated errors alone (infinite degrees of freedom). Errors that are all 0
+/// count as unknown and equal and are estimated from the residuals.
+/// Throws std::invalid_argument for fewer than three different time steps, numbers out of range, or
+/// errors of which some but not all are 0.
 [[nodiscard]] Convergence convergence(std::span<const Rung> rungs);
 
 }  // namespace crossgrain::compare

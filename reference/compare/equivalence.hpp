@@ -30,7 +30,7 @@ struct EquivalenceAnswer {
     double half_width_95 = 0;              ///< t_{0.975} s
     double samples_factor = 1;  ///< times the present number of samples that would decide it, if
                                 ///< the difference and the scatter stay; infinite if |D| = M
-    std::string reason;  ///< one line for `undecided` and `disagree`, empty for `agree`
+    std::string reason;         ///< one line for `undecided` and `disagree`, empty for `agree`
 };
 
 /// Throws std::invalid_argument for numbers that are not finite, negative errors or margins, a zero

@@ -18,6 +18,8 @@ struct LineFit {
     [[nodiscard]] double at(double x) const { return intercept + slope * x; }
     /// Standard error of at(x), with the covariance.
     [[nodiscard]] double error_at(double x) const;
+    /// Multiplies variances and covariance, e.g. by chi_squared/degrees_of_freedom.
+    void scale_covariance(double factor);
 };
 
 /// Known standard errors of y: the covariance follows from them alone.

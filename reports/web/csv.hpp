@@ -11,8 +11,8 @@ namespace crossgrain::reports {
 /// unit, settings ("key=value; ..."). Numbers keep all digits; not finite or missing is empty.
 [[nodiscard]] std::string measurements_csv(const nlohmann::json& document);
 
-/// Columns: case, code, against, observable, kind, setting, difference, uncertainty, limit, verdict,
-/// expected, reason, limit_reason.
+/// Columns: case, code, against, observable, kind, setting, difference, uncertainty, limit,
+/// verdict, expected, reason, limit_reason.
 [[nodiscard]] std::string verdicts_csv(const nlohmann::json& document);
 
 }  // namespace crossgrain::reports

@@ -54,13 +54,26 @@ std::string xml(const std::string& text) {
     std::string result;
     for (const char c : clean) {
         switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            case '\n': result += "&#10;"; break;
-            case '\t': result += "&#9;"; break;
-            default: result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+        case '&':
+            result += "&amp;";
+            break;
+        case '<':
+            result += "&lt;";
+            break;
+        case '>':
+            result += "&gt;";
+            break;
+        case '"':
+            result += "&quot;";
+            break;
+        case '\n':
+            result += "&#10;";
+            break;
+        case '\t':
+            result += "&#9;";
+            break;
+        default:
+            result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
         }
     }
     return result;
@@ -84,9 +97,9 @@ std::string numbers_of(const Json& verdict) {
 }
 
 TestCase test_of(const Json& verdict) {
-    std::string name = fmt::format("{} [{}] {} {}", text_at(verdict, "observable"),
-                                   text_at(verdict, "kind"), text_at(verdict, "code"),
-                                   text_at(verdict, "against"));
+    std::string name =
+        fmt::format("{} [{}] {} {}", text_at(verdict, "observable"), text_at(verdict, "kind"),
+                    text_at(verdict, "code"), text_at(verdict, "against"));
     if (const auto setting = text_at(verdict, "setting"); !setting.empty())
         name += fmt::format(" ({})", setting);
     return {.name = std::move(name), .result = result_of(verdict), .message = numbers_of(verdict)};
@@ -124,11 +137,14 @@ std::string xml_of(const TestCase& test, const std::string& suite) {
         return fmt::format("{}<{} message=\"{}\"/></testcase>\n", open, tag, message);
     };
     switch (test.result) {
-        case Result::passed:
-            return fmt::format("{}<system-out>{}</system-out></testcase>\n", open, message);
-        case Result::failure: return element("failure");
-        case Result::skipped: return element("skipped");
-        case Result::error: break;
+    case Result::passed:
+        return fmt::format("{}<system-out>{}</system-out></testcase>\n", open, message);
+    case Result::failure:
+        return element("failure");
+    case Result::skipped:
+        return element("skipped");
+    case Result::error:
+        break;
     }
     return element("error");
 }
@@ -152,8 +168,8 @@ std::string junit_xml(const nlohmann::json& document) {
     std::string body;
     std::vector<TestCase> all;
     for (const Suite& suite : suites_of(document)) {
-        body += fmt::format("  <testsuite name=\"{}\" {}>\n", xml(suite.name),
-                            counts_of(suite.tests));
+        body +=
+            fmt::format("  <testsuite name=\"{}\" {}>\n", xml(suite.name), counts_of(suite.tests));
         for (const TestCase& test : suite.tests) {
             body += xml_of(test, suite.name);
             all.push_back(test);

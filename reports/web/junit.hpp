@@ -7,8 +7,8 @@
 // not_installed, not_expressible, undecided, no_reference, as expected -> skipped with the reason
 // an outcome this file does not know -> error
 //
-// Only `agree` may be taken for granted: a verdict without "expected" is unexpected unless it agrees
-// or could not be asked (not_installed, not_expressible).
+// Only `agree` may be taken for granted: a verdict without "expected" is unexpected unless it
+// agrees or could not be asked (not_installed, not_expressible).
 #pragma once
 
 #include <string>

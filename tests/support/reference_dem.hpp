@@ -93,7 +93,8 @@ class ReferenceDem {
     void add_pair(std::size_t i, std::size_t j, double vx, double vy, double spins) {
         double dx = x_[i] - x_[j];
         if (scene_.periodic_x) dx -= *scene_.periodic_x * std::round(dx / *scene_.periodic_x);
-        const double dy = y_[i] - y_[j];
+        double dy = y_[i] - y_[j];
+        if (scene_.periodic_y) dy -= *scene_.periodic_y * std::round(dy / *scene_.periodic_y);
         const double r = std::sqrt(dx * dx + dy * dy);
         if (r >= scene_.grains.diameter) return;
         const auto& law = scene_.contact;

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace crossgrain::scene {
+namespace crossgrain::toml_input {
 
 /// Closed or open interval of valid numbers, with its text for error lines.
 struct Range {
@@ -48,6 +48,7 @@ class TomlTable {
     [[nodiscard]] std::optional<std::string> optional_text(std::string_view key) const;
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
     [[nodiscard]] bool boolean(std::string_view key) const;
+    [[nodiscard]] bool is_text(std::string_view key) const;
     /// One of `words`; returns its index.
     [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string> words) const;
     /// All layers' sub-tables of that key; an absent one reads as empty.
@@ -86,4 +87,4 @@ class TomlTable {
 /// Parses a file. Throws CaseError when it cannot be read or is not TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::string& file);
 
-}  // namespace crossgrain::scene
+}  // namespace crossgrain::toml_input

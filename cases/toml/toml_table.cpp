@@ -1,4 +1,4 @@
-#include "cases/scene/toml_table.hpp"
+#include "cases/toml/toml_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace crossgrain::scene {
+namespace crossgrain::toml_input {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -176,6 +176,11 @@ bool TomlTable::boolean(std::string_view key) const {
     return *value;
 }
 
+bool TomlTable::is_text(std::string_view key) const {
+    const auto* node = find(key);
+    return node != nullptr && node->is_string();
+}
+
 std::size_t TomlTable::choice(std::string_view key, std::span<const std::string> words) const {
     const std::string value = text(key);
     const auto found = std::find(words.begin(), words.end(), value);
@@ -266,4 +271,4 @@ CaseError TomlTable::error_at(const toml::source_region& where, std::string_view
                       .hint = std::move(hint)});
 }
 
-}  // namespace crossgrain::scene
+}  // namespace crossgrain::toml_input

@@ -1,0 +1,16 @@
+// The input script of LAMMPS for a scene. Holds only what the scene needs: no walls, gravity, lid
+// or third type unless it has them.
+#pragma once
+
+#include "cases/scene/scene.hpp"
+
+#include <string>
+
+namespace crossgrain::adapters {
+
+/// Reads the initial state from `data_name` and writes the frames to `dump_name`. The scene must be
+/// one that LAMMPS can express.
+[[nodiscard]] std::string lammps_script(const scene::Scene& scene, const std::string& data_name,
+                                        const std::string& dump_name);
+
+}  // namespace crossgrain::adapters

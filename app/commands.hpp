@@ -1,0 +1,42 @@
+// The commands of the program. Each returns its exit code.
+#pragma once
+
+#include "app/settings.hpp"
+
+#include <filesystem>
+#include <stop_token>
+#include <string>
+
+namespace crossgrain::app {
+
+int list_codes(const Settings& settings);
+int list_cases(const Settings& settings);
+int list_observables(const Settings& settings);
+
+/// Computes what the store lacks, then prints measurements, verdicts and costs.
+int run_cases(const Settings& settings, std::stop_token stop);
+/// The same from the store alone.
+int compare_cases(const Settings& settings);
+/// Certificate of equivalence between codes.
+int certify_cases(const Settings& settings, std::stop_token stop);
+/// All cases of a suite, then the report.
+int validate(const Settings& settings, std::stop_token stop);
+
+/// Inputs only, one directory per run below `out`. Exactly one case and one code.
+int write_inputs(const Settings& settings, const std::filesystem::path& out);
+
+/// A dump made elsewhere, measured as the run `name` of a case.
+struct ReadRequest {
+    std::filesystem::path dump;
+    std::string name;       ///< of the code that made it
+    std::string variant;    ///< empty: the first
+    std::size_t rung = 1;   ///< which time step of a ladder, from 1
+};
+int read_dump(const Settings& settings, const ReadRequest& request);
+
+/// Pages from the store. `open` starts the desktop's browser.
+int write_report(const Settings& settings, bool open);
+/// Drift of every observable and cost over the store.
+int show_history(const Settings& settings);
+
+}  // namespace crossgrain::app

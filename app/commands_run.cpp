@@ -1,0 +1,142 @@
+// crossgrain run | compare | certify | validate | report | history.
+#include "adapters/process/find_program.hpp"
+#include "adapters/process/process.hpp"
+#include "app/commands.hpp"
+#include "app/documents.hpp"
+#include "app/history.hpp"
+#include "app/session.hpp"
+#include "app/tables.hpp"
+#include "reports/web/csv.hpp"
+#include "reports/web/junit.hpp"
+#include "reports/web/web_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <system_error>
+
+namespace crossgrain::app {
+namespace {
+
+/// What happened besides the results, on stderr; and the exit code.
+int close_session(const SessionReport& report, const Settings& settings) {
+    if (!report.store_error.empty()) {
+        fmt::print(stderr, "error: {}; the results above are complete but not stored\n",
+                   report.store_error);
+    }
+    if (report.interrupted) {
+        fmt::print(stderr,
+                   "interrupted: {} runs are stored; the same command goes on from there\n",
+                   report.computed + report.from_store);
+    }
+    if (!settings.quiet) {
+        fmt::print(stderr, "{} runs computed, {} taken from {}\n", report.computed,
+                   report.from_store, settings.results.string());
+    }
+    return exit_code(report, settings);
+}
+
+void print_cases(const SessionReport& report, const Settings& settings) {
+    if (settings.json) {
+        fmt::print("{}\n", cases_document(report).dump(2));
+        return;
+    }
+    for (const auto& item : report.cases) fmt::print("{}\n", case_table(item));
+    fmt::print("{}\n{}", verdict_table(report), exceptions_list(report));
+}
+
+/// Pages, JUnit XML and CSV below <results>/report.
+void write_report_files(const SessionReport& report, const store::Store& store,
+                        const Settings& settings) {
+    const auto document = report_document(report, history_of(store.history()), settings);
+    const auto directory = settings.results / "report";
+    reports::write_web_report(document, directory, share_directory() / "web");
+    const auto write = [&](const char* name, const std::string& text) {
+        std::ofstream out(directory / name);
+        out << text;
+        if (!out.flush()) {
+            throw std::system_error(errno, std::generic_category(), (directory / name).string());
+        }
+    };
+    write("junit.xml", reports::junit_xml(document));
+    write("measurements.csv", reports::measurements_csv(document));
+    write("verdicts.csv", reports::verdicts_csv(document));
+}
+
+void open_in_browser(const std::filesystem::path& page) {
+    namespace process = adapters::process;
+    const bool shown = process::find_program("xdg-open") &&
+                       process::run({.argv = {"xdg-open", std::filesystem::absolute(page).string()},
+                                     .directory = page.parent_path(),
+                                     .time_limit = 30})
+                               .status == 0;
+    if (!shown) fmt::print(stderr, "no program is set up to open HTML pages here\n");
+}
+
+}  // namespace
+
+int run_cases(const Settings& settings, std::stop_token stop) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, std::move(stop), true);
+    print_cases(report, settings);
+    return close_session(report, settings);
+}
+
+int compare_cases(const Settings& settings) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, {}, false);
+    print_cases(report, settings);
+    return close_session(report, settings);
+}
+
+int certify_cases(const Settings& settings, std::stop_token stop) {
+    Settings parity = settings;
+    if (parity.cases.empty()) parity.cases = {"gas-parity", "bed-parity"};
+    store::Store store(settings.results);
+    const auto report = run_session(parity, store, std::move(stop), true);
+    if (settings.json) {
+        fmt::print("{}\n", certificate_document(report).dump(2));
+    } else {
+        fmt::print("{}{}", certificate_table(report), exceptions_list(report));
+    }
+    return close_session(report, parity);
+}
+
+int validate(const Settings& settings, std::stop_token stop) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, std::move(stop), true);
+    print_cases(report, settings);
+    if (report.interrupted) return close_session(report, settings);
+    write_report_files(report, store, settings);
+    if (!settings.quiet) {
+        fmt::print(stderr, "report: {}\n", (settings.results / "report/index.html").string());
+    }
+    return close_session(report, settings);
+}
+
+int write_report(const Settings& settings, bool open) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, {}, false);
+    write_report_files(report, store, settings);
+    const auto page = settings.results / "report/index.html";
+    fmt::print("{}\n", page.string());
+    if (open) open_in_browser(page);
+    return exit_ok;
+}
+
+int show_history(const Settings& settings) {
+    store::Store store(settings.results);
+    const auto history = history_of(store.history());
+    if (settings.json) {
+        fmt::print("{}\n", history_document(history).dump(2));
+    } else {
+        fmt::print("{}", history_table(history));
+    }
+    for (const auto& series : history) {
+        if (series.drift == Drift::left_band) return exit_verdict;
+    }
+    return exit_ok;
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,212 @@
+#include "app/documents.hpp"
+
+#include "app/catalogue.hpp"
+#include "reference/compare/parity.hpp"
+#include "reference/compare/student.hpp"
+#include "reports/store/results_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace crossgrain::app {
+namespace {
+
+using nlohmann::json;
+
+json run_json(const store::RunRecord& run) {
+    return {{"code", run.code},
+            {"version", run.version},
+            {"variant", run.variant},
+            {"replica", run.replica},
+            {"seed", run.seed},
+            {"status", run.status},
+            {"reason", run.reason},
+            {"log_tail", run.log_tail},
+            {"settings", json::parse(run.settings_json, nullptr, false)},
+            {"cpu_s", run.cpu_s},
+            {"wall_s", run.wall_s},
+            {"work", run.work},
+            {"work_unit", run.work_unit},
+            {"created", run.created},
+            {"cached", run.cached}};
+}
+
+json measurement_json(const CodeMeasurement& item) {
+    const auto& m = item.combined.measurement;
+    const double dof = item.combined.degrees_of_freedom;
+    const double half = m.standard_error > 0 && dof >= 1
+                            ? compare::student_quantile(0.975, dof) * m.standard_error
+                            : 0.0;
+    json settings(m.settings);
+    settings["dt"] = item.dt;
+    settings["replicas"] = item.combined.replicas;
+    return {{"code", item.code},
+            {"variant", item.variant},
+            {"observable", m.observable},
+            {"value", m.value},
+            {"stderr", m.standard_error},
+            {"systematic", m.systematic},
+            {"ci95", {m.value - half, m.value + half}},
+            {"n", m.n},
+            {"unit", m.unit},
+            {"settings", std::move(settings)}};
+}
+
+json verdict_json(const compare::Verdict& v) {
+    return {{"code", v.code},
+            {"observable", v.observable},
+            {"kind", compare::to_string(v.kind)},
+            {"against", v.against},
+            {"setting", v.setting},
+            {"difference", v.difference},
+            {"uncertainty", v.uncertainty},
+            {"limit", v.limit},
+            {"limit_reason", v.limit_reason},
+            {"verdict", compare::to_string(v.outcome)},
+            {"expected", v.expected},
+            {"reason", v.reason}};
+}
+
+json case_json(const CaseReport& item) {
+    json runs = json::array();
+    for (const auto& run : item.runs.records()) runs.push_back(run_json(run));
+    json measurements = json::array();
+    for (const auto& m : item.evaluation.measurements) measurements.push_back(measurement_json(m));
+    json verdicts = json::array();
+    for (const auto& v : item.evaluation.verdicts) verdicts.push_back(verdict_json(v));
+    return {{"case", item.the_case->name},
+            {"runs", std::move(runs)},
+            {"measurements", std::move(measurements)},
+            {"verdicts", std::move(verdicts)}};
+}
+
+json pair_json(const CertificatePair& pair) {
+    json digits = json::object();
+    for (const auto& [time, dx] : pair.max_dx) {
+        digits[time] = compare::matching_digits(dx, pair.diameter);
+    }
+    return {{"case", pair.case_name},
+            {"a", pair.a},
+            {"b", pair.b},
+            {"contact_time", pair.contact_time},
+            {"max_dx", pair.max_dx},
+            {"digits", std::move(digits)},
+            {"limits", pair.limits},
+            {"max_dh", pair.max_dh},
+            {"limits_dh", pair.limits_dh},
+            {"verdict", compare::to_string(pair.outcome)},
+            {"expected", pair.expected},
+            {"reason", pair.reason}};
+}
+
+/// Curves of the first replica of each code; per-collision tables stay in the store.
+json series_json(const CaseReport& item) {
+    json all = json::array();
+    for (const auto& run : item.runs.records()) {
+        if (run.status != "ok" || run.replica != 0) continue;
+        for (const auto& series : run.results.series) {
+            if (series.name == "collisions") continue;
+            all.push_back({{"code", run.code},
+                           {"variant", run.variant},
+                           {"replica", run.replica},
+                           {"name", series.name},
+                           {"columns", series.columns},
+                           {"values", series.values}});
+        }
+    }
+    for (const auto& curve : item.evaluation.curves) {
+        all.push_back({{"code", curve.code},
+                       {"variant", curve.variant},
+                       {"replica", 0},
+                       {"name", "convergence"},
+                       {"observable", curve.observable},
+                       {"order", curve.order},
+                       {"order_error", curve.order_error},
+                       {"limit", curve.limit},
+                       {"limit_error", curve.limit_error},
+                       {"columns", {"dt", "mean_error", "rms_error"}},
+                       {"values", {curve.dt, curve.mean_error, curve.rms_error}}});
+    }
+    return all;
+}
+
+}  // namespace
+
+json codes_document() {
+    json list = json::array();
+    for (const auto& code : codes()) {
+        const auto available = code->probe();
+        list.push_back({{"code", code->name()},
+                        {"version", available.version},
+                        {"status", available.installed ? "ok" : "not_installed"},
+                        {"reason", available.reason},
+                        {"expresses", code->features()}});
+    }
+    return {{"codes", std::move(list)}};
+}
+
+json cases_document(const SessionReport& report) {
+    json cases = json::array();
+    for (const auto& item : report.cases) cases.push_back(case_json(item));
+    return {{"cases", std::move(cases)}};
+}
+
+json certificate_document(const SessionReport& report) {
+    json pairs = json::array();
+    for (const auto& item : report.cases) {
+        for (const auto& pair : item.evaluation.certificate) pairs.push_back(pair_json(pair));
+    }
+    return {{"pairs", std::move(pairs)}};
+}
+
+json history_document(const std::vector<HistorySeries>& history) {
+    json all = json::array();
+    for (const auto& series : history) {
+        json points = json::array();
+        for (const auto& point : series.points) {
+            points.push_back({{"entry", point.run_id},
+                              {"created", point.created},
+                              {"value", point.value},
+                              {"stderr", point.standard_error},
+                              {"version", point.version}});
+        }
+        json band = series.drift == Drift::too_few ? json() : json{series.low, series.high};
+        all.push_back({{"case", series.case_name},
+                       {"variant", series.variant},
+                       {"code", series.code},
+                       {"observable", series.observable},
+                       {"unit", series.unit},
+                       {"seed", series.seed},
+                       {"settings", json::parse(series.settings_json, nullptr, false)},
+                       {"points", std::move(points)},
+                       {"band", std::move(band)},
+                       {"allowance", series.allowance},
+                       {"status", to_string(series.drift)}});
+    }
+    return {{"series", std::move(all)}};
+}
+
+json report_document(const SessionReport& report, const std::vector<HistorySeries>& history,
+                     const Settings& settings) {
+    json cases = json::array();
+    for (const auto& item : report.cases) {
+        json entry = case_json(item);
+        entry["title"] = item.the_case->title;
+        entry["text"] = item.the_case->text;
+        entry["source"] = item.the_case->source;
+        entry["series"] = series_json(item);
+        cases.push_back(std::move(entry));
+    }
+    const Machine machine = this_machine();
+    return {{"version", program_version()},
+            {"created", store::utc_now()},
+            {"command", settings.command},
+            {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}, {"os", machine.os}}},
+            {"codes", codes_document().at("codes")},
+            {"cases", std::move(cases)},
+            {"certificate", certificate_document(report)},
+            {"history", history_document(history)}};
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,116 @@
+#include "app/evaluate.hpp"
+
+#include "cases/scene/scene.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace crossgrain::app {
+namespace {
+
+using compare::Outcome;
+
+compare::Kind kind_of(catalog::CheckKind kind) {
+    switch (kind) {
+    case catalog::CheckKind::exact: return compare::Kind::exact;
+    case catalog::CheckKind::parity: return compare::Kind::parity;
+    case catalog::CheckKind::agree: return compare::Kind::agree;
+    case catalog::CheckKind::published: break;
+    }
+    return compare::Kind::published;
+}
+
+void collect_measurements(const CaseRuns& runs, Evaluation& evaluation) {
+    const auto& the_case = runs.the_case();
+    for (const auto& code : runs.codes()) {
+        for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+            for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
+                const auto* first = runs.find(code, variant, rung, 0);
+                if (first == nullptr) continue;
+                const double dt = the_case.scene(variant, rung, first->seed).dt;
+                for (const auto& m : first->results.measurements) {
+                    if (auto all = runs.combined(code, variant, rung, m.observable)) {
+                        evaluation.measurements.push_back({.code = code,
+                                                           .variant =
+                                                               the_case.variants[variant].name,
+                                                           .rung = rung,
+                                                           .dt = dt,
+                                                           .combined = std::move(*all)});
+                    }
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::size_t> variants_of(const catalog::Case& the_case, const catalog::Check& check) {
+    std::vector<std::size_t> result;
+    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+        const auto& wanted = check.variants;
+        if (wanted.empty() || std::find(wanted.begin(), wanted.end(),
+                                        the_case.variants[variant].name) != wanted.end()) {
+            result.push_back(variant);
+        }
+    }
+    return result;
+}
+
+compare::Verdict blank_verdict(const catalog::Case& the_case, const catalog::Check& check,
+                               const std::string& code, std::size_t variant) {
+    compare::Verdict verdict{.code = code,
+                             .observable = check.observable,
+                             .kind = kind_of(check.kind),
+                             .against = check.against,
+                             .setting = the_case.variants[variant].name,
+                             .limit = check.limit,
+                             .limit_reason = check.reason};
+    if (!check.column.empty()) verdict.observable += "." + check.column;
+    if (check.aspect == catalog::Aspect::limit) verdict.observable += " (dt -> 0)";
+    if (check.aspect == catalog::Aspect::order) verdict.observable += " (order in dt)";
+    return verdict;
+}
+
+void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+              const std::string& other, Outcome outcome, const std::string& reason,
+              compare::Verdict& verdict) {
+    std::string wanted = check.expect;
+    for (const auto& code : {verdict.code, other}) {
+        if (const auto found = check.expect_for.find(code); found != check.expect_for.end()) {
+            wanted = found->second;
+        }
+    }
+    const bool known_gap = outcome == Outcome::not_expressible &&
+                           (runs.known_not_expressible(verdict.code, variant) ||
+                            (!other.empty() && runs.known_not_expressible(other, variant)));
+    verdict.outcome = outcome;
+    verdict.expected = known_gap || compare::to_string(outcome) == wanted;
+    verdict.reason = reason;
+    if (outcome != Outcome::agree && verdict.expected && !check.expect_reason.empty()) {
+        verdict.reason += (reason.empty() ? "" : "; ") + ("expected: " + check.expect_reason);
+    }
+    if (outcome == Outcome::agree && !verdict.expected) {
+        verdict.reason = "agrees although the catalogue records '" + wanted +
+                         "' (" + check.expect_reason + "): update the catalogue";
+    }
+}
+
+Evaluation evaluate(const CaseRuns& runs, const published::PublishedValues& literature) {
+    Evaluation evaluation;
+    collect_measurements(runs, evaluation);
+    for (const auto& check : runs.the_case().checks) {
+        switch (check.kind) {
+        case catalog::CheckKind::exact: evaluate_exact(runs, check, evaluation); break;
+        case catalog::CheckKind::parity: evaluate_parity(runs, check, evaluation); break;
+        case catalog::CheckKind::agree: evaluate_agree(runs, check, evaluation); break;
+        case catalog::CheckKind::published:
+            evaluate_published(runs, check, literature, evaluation);
+            break;
+        }
+    }
+    evaluate_certificate(runs, evaluation);
+    return evaluation;
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,179 @@
+// Checks between two codes: parity of what must be the same to round-off, equivalence of what must
+// be the same within errors.
+#include "app/evaluate.hpp"
+
+#include "reference/compare/equivalence.hpp"
+#include "reference/compare/parity.hpp"
+#include "reference/compare/student.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossgrain::app {
+namespace {
+
+using compare::Outcome;
+
+double pair_limit(const catalog::Check& check, const std::string& a, const std::string& b) {
+    double limit = check.limit;
+    for (const auto& code : {a, b}) {
+        if (const auto found = check.limit_for.find(code); found != check.limit_for.end()) {
+            limit = std::max(limit, found->second);
+        }
+    }
+    return limit;
+}
+
+const measure::Measurement* find_measurement(const measure::Results& results,
+                                             const std::string& observable) {
+    for (const auto& m : results.measurements) {
+        if (m.observable == observable) return &m;
+    }
+    return nullptr;
+}
+
+/// Difference of one run of code a and its sibling of code b; nothing if either lacks it.
+std::optional<double> run_difference(const catalog::Check& check, double contact_time,
+                                     const measure::Results& a, const measure::Results& b) {
+    if (check.at_contact_times) {
+        const double time = *check.at_contact_times * contact_time;
+        const auto* in_a = compare::find_snapshot(a, time);
+        const auto* in_b = compare::find_snapshot(b, time);
+        if (in_a == nullptr || in_b == nullptr) return std::nullopt;
+        return compare::largest_difference(*in_a, *in_b);
+    }
+    if (!check.column.empty()) {
+        const auto* in_a = compare::find_series(a, check.observable);
+        const auto* in_b = compare::find_series(b, check.observable);
+        if (in_a == nullptr || in_b == nullptr) return std::nullopt;
+        compare::Window window;
+        if (check.from) window.from = *check.from;
+        if (check.to) window.to = *check.to;
+        return compare::largest_difference(*in_a, *in_b, check.column, window);
+    }
+    const auto* in_a = find_measurement(a, check.observable);
+    const auto* in_b = find_measurement(b, check.observable);
+    if (in_a == nullptr || in_b == nullptr) return std::nullopt;
+    return std::abs(in_a->value - in_b->value);
+}
+
+/// Largest difference over all time steps and the replicas both codes have.
+std::optional<double> variant_difference(const CaseRuns& runs, const catalog::Check& check,
+                                         std::size_t variant, const std::string& a,
+                                         const std::string& b) {
+    const auto& the_case = runs.the_case();
+    std::optional<double> largest;
+    for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
+        const double contact_time = scene::contact_time(the_case.scene(variant, rung, 1));
+        const auto replicas =
+            std::min(runs.replicas(a, variant, rung), runs.replicas(b, variant, rung));
+        for (std::int64_t replica = 0; replica < replicas; ++replica) {
+            const auto difference =
+                run_difference(check, contact_time, runs.find(a, variant, rung, replica)->results,
+                               runs.find(b, variant, rung, replica)->results);
+            if (!difference) return std::nullopt;
+            largest = std::max(largest.value_or(0), *difference);
+        }
+    }
+    return largest;
+}
+
+/// The first absence of either code.
+std::optional<Absence> pair_absence(const CaseRuns& runs, std::size_t variant, const std::string& a,
+                                    const std::string& b) {
+    for (const auto& code : {a, b}) {
+        if (auto absence = runs.absence(code, variant)) {
+            absence->reason = fmt::format("{}: {}", code, absence->reason);
+            return absence;
+        }
+    }
+    return std::nullopt;
+}
+
+template <class Judge>
+void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation,
+                   Judge judge) {
+    const auto& codes = runs.codes();
+    for (const std::size_t variant : variants_of(runs.the_case(), check)) {
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+            for (std::size_t j = i + 1; j < codes.size(); ++j) {
+                auto verdict = blank_verdict(runs.the_case(), check, codes[i], variant);
+                verdict.against = codes[j];
+                verdict.limit = pair_limit(check, codes[i], codes[j]);
+                if (const auto absence = pair_absence(runs, variant, codes[i], codes[j])) {
+                    conclude(runs, check, variant, codes[j], absence->outcome, absence->reason,
+                             verdict);
+                } else {
+                    judge(variant, codes[i], codes[j], verdict);
+                }
+                evaluation.verdicts.push_back(std::move(verdict));
+            }
+        }
+    }
+}
+
+std::string place_of(const catalog::Check& check) {
+    if (check.at_contact_times) return fmt::format("t = {:g} t_col", *check.at_contact_times);
+    if (check.from || check.to) {
+        return fmt::format("t = {:g}-{}", check.from.value_or(0),
+                           check.to ? fmt::format("{:g}", *check.to) : "end");
+    }
+    return {};
+}
+
+}  // namespace
+
+void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
+    const std::size_t first = evaluation.verdicts.size();
+    for_each_pair(runs, check, evaluation,
+                  [&](std::size_t variant, const std::string& a, const std::string& b,
+                      compare::Verdict& verdict) {
+                      if (const std::string place = place_of(check); !place.empty()) {
+                          verdict.setting +=
+                              (verdict.setting.empty() ? "" : ", ") + place;
+                      }
+                      const auto difference = variant_difference(runs, check, variant, a, b);
+                      if (!difference) {
+                          return conclude(runs, check, variant, b, Outcome::undecided,
+                                          "nothing to compare at the same place in both runs",
+                                          verdict);
+                      }
+                      verdict.difference = *difference;
+                      const bool same = *difference <= verdict.limit;
+                      conclude(runs, check, variant, b, same ? Outcome::agree : Outcome::disagree,
+                               same ? "" : "differs by more than round-off can explain", verdict);
+                  });
+    for (std::size_t i = first; i < evaluation.verdicts.size(); ++i) {
+        evaluation.parity.push_back({&check, i});
+    }
+}
+
+void evaluate_agree(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
+    for_each_pair(
+        runs, check, evaluation,
+        [&](std::size_t variant, const std::string& a, const std::string& b,
+            compare::Verdict& verdict) {
+            const auto of_a = runs.combined(a, variant, 0, check.observable);
+            const auto of_b = runs.combined(b, variant, 0, check.observable);
+            if (!of_a || !of_b) {
+                return conclude(runs, check, variant, b, Outcome::undecided,
+                                fmt::format("'{}' was not measured by both", check.observable),
+                                verdict);
+            }
+            const double error_a = of_a->measurement.standard_error;
+            const double error_b = of_b->measurement.standard_error;
+            const auto answer = compare::equivalence(
+                {.difference = of_a->measurement.value - of_b->measurement.value,
+                 .standard_error = std::hypot(error_a, error_b),
+                 .degrees_of_freedom = compare::welch_degrees_of_freedom(
+                     error_a, of_a->degrees_of_freedom, error_b, of_b->degrees_of_freedom),
+                 .margin = verdict.limit});
+            verdict.difference = of_a->measurement.value - of_b->measurement.value;
+            verdict.uncertainty = answer.half_width_95;
+            conclude(runs, check, variant, b, answer.outcome, answer.reason, verdict);
+        });
+}
+
+}  // namespace crossgrain::app

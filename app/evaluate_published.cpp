@@ -1,0 +1,57 @@
+// Checks against numbers of the literature.
+#include "app/evaluate.hpp"
+
+#include "reference/compare/equivalence.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace crossgrain::app {
+namespace {
+
+using compare::Outcome;
+
+void judge(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+           const published::PublishedValue& reference, compare::Verdict& verdict) {
+    const auto combined = runs.combined(verdict.code, variant, 0, check.observable);
+    if (!combined) {
+        return conclude(runs, check, variant, "", Outcome::undecided,
+                        fmt::format("'{}' was not measured", check.observable), verdict);
+    }
+    const auto& m = combined->measurement;
+    const auto answer =
+        compare::equivalence({.difference = m.value - reference.value,
+                              .standard_error = std::hypot(m.standard_error, reference.error),
+                              .degrees_of_freedom = combined->degrees_of_freedom,
+                              .margin = verdict.limit});
+    verdict.difference = m.value - reference.value;
+    verdict.uncertainty = answer.half_width_95;
+    conclude(runs, check, variant, "", answer.outcome, answer.reason, verdict);
+}
+
+}  // namespace
+
+void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
+                        const published::PublishedValues& literature, Evaluation& evaluation) {
+    constexpr std::string_view prefix = "published:";
+    const std::string id =
+        check.against.starts_with(prefix) ? check.against.substr(prefix.size()) : check.against;
+    const auto reference = literature.find(id);
+    for (const std::size_t variant : variants_of(runs.the_case(), check)) {
+        for (const auto& code : runs.codes()) {
+            auto verdict = blank_verdict(runs.the_case(), check, code, variant);
+            if (const auto absence = runs.absence(code, variant)) {
+                conclude(runs, check, variant, "", absence->outcome, absence->reason, verdict);
+            } else if (!reference) {
+                conclude(runs, check, variant, "", Outcome::no_reference,
+                         fmt::format("no published value '{}'", id), verdict);
+            } else {
+                judge(runs, check, variant, *reference, verdict);
+            }
+            evaluation.verdicts.push_back(std::move(verdict));
+        }
+    }
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,196 @@
+// The command line. Errors become one line on stderr and an exit code.
+#include "app/commands.hpp"
+#include "app/session.hpp"
+#include "native/base/errors.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <functional>
+#include <map>
+#include <stop_token>
+#include <thread>
+
+namespace {
+
+using namespace crossgrain;
+using app::Settings;
+
+/// Turns Ctrl-C and SIGTERM into a stop request. A thread waits for them, because little may be
+/// done in a signal handler; a second Ctrl-C ends the program at once.
+class SignalStop {
+  public:
+    SignalStop() {
+        sigemptyset(&signals_);
+        sigaddset(&signals_, SIGINT);
+        sigaddset(&signals_, SIGTERM);
+        pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+        std::thread([this] {
+            int signal = 0;
+            sigwait(&signals_, &signal);
+            source_.request_stop();
+            sigwait(&signals_, &signal);
+            std::_Exit(app::exit_interrupted);
+        }).detach();
+    }
+    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+  private:
+    sigset_t signals_{};
+    std::stop_source source_;
+};
+
+struct Arguments {
+    Settings settings;
+    std::string suite;
+    std::string out;
+    app::ReadRequest read;
+    bool open = false;
+};
+
+void add_selection(CLI::App& command, Arguments& arguments) {
+    Settings& s = arguments.settings;
+    command.add_option("CASE", s.cases, "cases by name or path of a case file (default: all)");
+    command.add_option("--code", s.codes, "only this code (may be repeated)")->allow_extra_args(false);
+    command.add_option("--replicas", s.replicas, "runs per code, each with its own seed")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--seed", s.seed, "seed of the first replica")->capture_default_str();
+    command.add_option("--suite", arguments.suite, "size of the cases: quick or full")
+        ->check(CLI::IsMember({"quick", "full"}));
+}
+
+void add_execution(CLI::App& command, Arguments& arguments) {
+    Settings& s = arguments.settings;
+    command.add_option("--jobs", s.jobs, "runs side by side (default: one per processor)");
+    command.add_flag("--fresh", s.fresh, "compute again what the store already has");
+    command.add_option("--time-limit", s.time_limit, "wall seconds per run")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--keep-dumps", s.keep_dumps,
+                     "keep inputs, logs and trajectories in <results>/runs");
+}
+
+using Action = std::function<int(Arguments&, std::stop_token)>;
+
+/// Every command with its action, in the order of the help text.
+std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
+    std::map<CLI::App*, Action> actions;
+    const auto add = [&](const char* name, const char* text, Action action) {
+        auto* command = program.add_subcommand(name, text);
+        actions[command] = std::move(action);
+        return command;
+    };
+    add("codes", "codes on this machine, their versions and what each can express",
+        [](Arguments& x, auto) { return app::list_codes(x.settings); });
+    add("cases", "cases of the catalogue", [](Arguments& x, auto) { return app::list_cases(x.settings); });
+    add("observables", "what can be measured, and the exact values there are",
+        [](Arguments& x, auto) { return app::list_observables(x.settings); });
+    auto* run = add("run", "run cases and judge them", [](Arguments& x, std::stop_token stop) {
+        return app::run_cases(x.settings, std::move(stop));
+    });
+    add_selection(*run, a);
+    add_execution(*run, a);
+    auto* write = add("write", "write the inputs of a code only",
+                      [](Arguments& x, auto) { return app::write_inputs(x.settings, x.out); });
+    add_selection(*write, a);
+    write->add_option("--out", a.out, "directory to write to")->required();
+    auto* read = add("read", "measure a LAMMPS dump made elsewhere", [](Arguments& x, auto) {
+        x.read.dump = x.settings.cases.back();
+        x.settings.cases.pop_back();
+        return app::read_dump(x.settings, x.read);
+    });
+    read->add_option("CASE PATH", a.settings.cases, "the case, and the dump")->required()->expected(2);
+    read->add_option("--code", a.read.name, "name of the code that made it")->required();
+    read->add_option("--variant", a.read.variant, "variant of the case (default: the first)");
+    read->add_option("--rung", a.read.rung, "which time step of a ladder, from 1");
+    read->add_option("--seed", a.settings.seed, "seed of the initial state")->capture_default_str();
+    auto* certify = add("certify", "certificate of equivalence between codes",
+                        [](Arguments& x, std::stop_token stop) {
+                            return app::certify_cases(x.settings, std::move(stop));
+                        });
+    add_selection(*certify, a);
+    add_execution(*certify, a);
+    auto* compare = add("compare", "verdicts from what the store holds",
+                        [](Arguments& x, auto) { return app::compare_cases(x.settings); });
+    add_selection(*compare, a);
+    auto* report = add("report", "write the report pages from what the store holds",
+                       [](Arguments& x, auto) { return app::write_report(x.settings, x.open); });
+    add_selection(*report, a);
+    report->add_flag("--open", a.open, "show the page in a browser");
+    add("history", "every observable and cost over the store; exit code 1 on drift",
+        [](Arguments& x, auto) { return app::show_history(x.settings); });
+    auto* validate = add("validate", "run a suite, judge it, write the report",
+                         [](Arguments& x, std::stop_token stop) {
+                             return app::validate(x.settings, std::move(stop));
+                         });
+    add_selection(*validate, a);
+    add_execution(*validate, a);
+    return actions;
+}
+
+/// Commands of the interface that do not exist yet are refused by name, not as a typing error.
+void refuse_future_commands(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        for (const char* name :
+             {"chart", "stability", "advise", "bench", "regressions", "selftest"}) {
+            if (std::string_view(argv[i]) == name) {
+                throw CaseError({.problem = fmt::format("'{}' is not part of this version", name),
+                                 .hint = "see 'crossgrain --help' for the commands there are"});
+            }
+            if (argv[i][0] != '-') break;
+        }
+    }
+}
+
+/// validate, report and compare are about the quick suite unless told otherwise; the others about
+/// the case as it is written.
+void choose_suite(const CLI::App& command, Arguments& arguments) {
+    const std::string name = command.get_name();
+    const bool quick_by_default = name == "validate" || name == "report" || name == "compare";
+    const bool quick = arguments.suite.empty() ? quick_by_default : arguments.suite == "quick";
+    arguments.settings.suite = quick ? catalog::Suite::quick : catalog::Suite::full;
+}
+
+int run_program(int argc, char** argv) {
+    const SignalStop stop;
+    CLI::App program{"crossgrain: cross-validation of granular codes"};
+    program.set_version_flag("--version", app::program_version());
+    program.require_subcommand(1);
+    program.fallthrough();
+    Arguments arguments;
+    Settings& settings = arguments.settings;
+    program.add_option("--results", settings.results, "directory of store and report")
+        ->capture_default_str();
+    program.add_flag("--json", settings.json, "one JSON document on stdout");
+    program.add_flag("--quiet", settings.quiet, "no progress");
+    for (int i = 0; i < argc; ++i) {
+        settings.command += i == 0 ? "crossgrain" : fmt::format(" {}", argv[i]);
+    }
+    const auto actions = add_commands(program, arguments);
+    refuse_future_commands(argc, argv);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? app::exit_ok : app::exit_usage;
+    }
+    auto* command = program.get_subcommands().front();
+    choose_suite(*command, arguments);
+    return actions.at(command)(arguments, stop.token());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run_program(argc, argv);
+    } catch (const CaseError& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return app::exit_usage;
+    } catch (const store::StoreError& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return app::exit_usage;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return app::exit_run_failed;
+    }
+}

@@ -1,0 +1,119 @@
+#include "app/plan.hpp"
+
+#include "cases/scene/scene_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace crossgrain::app {
+namespace {
+
+std::string sha256(const std::string& text) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned length = 0;
+    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+        throw std::runtime_error("SHA-256 is not available in libcrypto");
+    }
+    std::string hex;
+    for (unsigned i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+    return hex;
+}
+
+nlohmann::json observables_json(const catalog::Case& the_case) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const auto& request : the_case.observables) {
+        nlohmann::json options = nlohmann::json::object();
+        for (const auto& [name, option] : request.options) {
+            options[name] = {option.numbers, option.text};
+        }
+        all.push_back({request.name, options});
+    }
+    return all;
+}
+
+/// Decides what can be said without running: absent codes and scenes a code cannot express.
+void settle_without_running(PlannedRun& run, const adapters::Availability& available) {
+    auto& record = run.record;
+    record.version = available.version;
+    if (!available.installed) {
+        record.status = "not_installed";
+        record.reason = available.reason;
+    } else if (const auto refusal = run.code->cannot_express(*run.scene)) {
+        record.status = "not_expressible";
+        record.reason = *refusal;
+    } else {
+        record.status = "planned";
+        record.key = run_key(run);
+    }
+}
+
+PlannedRun planned_run(const catalog::Case& the_case, const adapters::Code& code,
+                       std::shared_ptr<const scene::Scene> scene, const Settings& settings) {
+    PlannedRun run{.owner = &the_case, .code = &code, .scene = std::move(scene),
+                   .time_limit = settings.time_limit.value_or(the_case.time_limit)};
+    run.record.case_name = the_case.name;
+    run.record.code = code.name();
+    run.record.seed = run.scene->seed;
+    run.record.settings_json = scene::settings_json(*run.scene).dump();
+    run.record.work =
+        static_cast<double>(run.scene->grain_count()) * static_cast<double>(run.scene->steps);
+    return run;
+}
+
+}  // namespace
+
+std::string run_key(const PlannedRun& run) {
+    // The scene's name is a label: renaming a case must not recompute it.
+    scene::Scene unnamed = *run.scene;
+    unnamed.name.clear();
+    nlohmann::json identity{{"scene", scene::to_json(unnamed)},
+                            {"observables", observables_json(*run.owner)},
+                            {"code", run.code->name()},
+                            {"version", run.record.version},
+                            {"program", program_version()}};
+    for (const auto& file : run.code->input(unnamed)) identity["input"][file.name] = file.text;
+    return sha256(identity.dump());
+}
+
+std::vector<PlannedRun> plan(const catalog::Case& the_case,
+                             const std::vector<const adapters::Code*>& codes,
+                             const Settings& settings) {
+    std::map<const adapters::Code*, adapters::Availability> availability;
+    std::int64_t most = 0;
+    const auto replicas_of = [&](const adapters::Code* code) {
+        return settings.replicas.value_or(the_case.replicas.of(code->name()));
+    };
+    for (const auto* code : codes) {
+        availability[code] = code->probe();
+        most = std::max(most, replicas_of(code));
+    }
+    std::vector<PlannedRun> runs;
+    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+        for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
+            for (std::int64_t replica = 0; replica < most; ++replica) {
+                const auto scene = std::make_shared<const scene::Scene>(the_case.scene(
+                    variant, rung, settings.seed + static_cast<std::uint64_t>(replica)));
+                for (const auto* code : codes) {
+                    if (replica >= replicas_of(code)) continue;
+                    PlannedRun run = planned_run(the_case, *code, scene, settings);
+                    run.variant = variant;
+                    run.rung = rung;
+                    run.replica = replica;
+                    run.record.variant = the_case.variants[variant].name;
+                    run.record.rung = rung;
+                    run.record.replica = replica;
+                    settle_without_running(run, availability[code]);
+                    runs.push_back(std::move(run));
+                }
+            }
+        }
+    }
+    return runs;
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,37 @@
+// Which runs a case needs: variants x time steps x replicas x codes.
+#pragma once
+
+#include "adapters/code.hpp"
+#include "app/settings.hpp"
+#include "cases/catalog/case.hpp"
+#include "reports/store/store.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace crossgrain::app {
+
+struct PlannedRun {
+    const catalog::Case* owner = nullptr;
+    const adapters::Code* code = nullptr;
+    std::shared_ptr<const scene::Scene> scene;  ///< shared by all codes
+    std::size_t variant = 0;
+    std::size_t rung = 0;
+    std::int64_t replica = 0;
+    double time_limit = 0;  ///< wall seconds
+    /// Everything but the results: key, names, settings; status is "planned", or says why there is
+    /// nothing to run ("not_installed", "not_expressible").
+    store::RunRecord record;
+};
+
+/// Replicas of a code share their seeds with the other codes: replica r has seed + r.
+[[nodiscard]] std::vector<PlannedRun> plan(const catalog::Case& the_case,
+                                           const std::vector<const adapters::Code*>& codes,
+                                           const Settings& settings);
+
+/// SHA-256 over all that decides the run's numbers: scene, input files, observables, code, version.
+[[nodiscard]] std::string run_key(const PlannedRun& run);
+
+}  // namespace crossgrain::app

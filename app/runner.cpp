@@ -1,0 +1,195 @@
+#include "app/runner.hpp"
+
+#include "app/catalogue.hpp"
+#include "app/progress.hpp"
+#include "native/base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+namespace crossgrain::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string label(const PlannedRun& run) {
+    std::string text = fmt::format("{} {}", run.scene->name, run.record.code);
+    if (run.replica > 0) text += fmt::format(" #{}", run.replica + 1);
+    return text;
+}
+
+/// A run's private directory, below the results so that it can be looked at; removed when the run
+/// went well and no dump was asked for.
+class RunDirectory {
+  public:
+    RunDirectory(const Settings& settings, const PlannedRun& run)
+        : path_(fs::absolute(settings.results) / "runs" /
+                fmt::format("{}-{}", run.record.code, run.record.key.substr(0, 16))) {
+        fs::remove_all(path_);
+        fs::create_directories(path_);
+    }
+    [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+    void remove() const {
+        std::error_code ignored;  // left-overs do no harm
+        fs::remove_all(path_, ignored);
+    }
+
+  private:
+    fs::path path_;
+};
+
+class Runner {
+  public:
+    Runner(std::vector<PlannedRun> runs, store::Store& store, const Settings& settings,
+           std::stop_token stop)
+        : runs_(std::move(runs)), store_(store), settings_(settings), stop_(std::move(stop)) {}
+
+    RunSummary carry_out(bool compute);
+
+  private:
+    void take_from_store();
+    void compute_missing();
+    void work(Progress& progress);
+    void execute(PlannedRun& run, Progress& progress);
+    void measure(PlannedRun& run, const RunDirectory& directory, Progress& progress);
+    void keep(PlannedRun& run);
+
+    std::vector<PlannedRun> runs_;
+    store::Store& store_;
+    const Settings& settings_;
+    std::stop_token stop_;
+    std::vector<PlannedRun*> waiting_;
+    std::atomic<std::size_t> next_{0};
+    std::mutex store_mutex_;
+    RunSummary summary_;
+};
+
+RunSummary Runner::carry_out(bool compute) {
+    if (!settings_.fresh) take_from_store();
+    if (compute) {
+        compute_missing();
+    } else {
+        for (auto& run : runs_) {
+            if (run.record.status == "planned") run.record.status = "not_run";
+        }
+    }
+    summary_.interrupted = stop_.stop_requested();
+    for (auto& run : runs_) summary_.records.push_back(std::move(run.record));
+    return std::move(summary_);
+}
+
+void Runner::take_from_store() {
+    for (auto& run : runs_) {
+        if (run.record.status != "planned") continue;
+        if (auto stored = store_.find(run.record.key)) {
+            // Labels may have changed since; the numbers cannot have.
+            stored->case_name = run.record.case_name;
+            stored->variant = run.record.variant;
+            stored->rung = run.record.rung;
+            stored->replica = run.record.replica;
+            run.record = std::move(*stored);
+            ++summary_.from_store;
+        }
+    }
+}
+
+void Runner::compute_missing() {
+    for (auto& run : runs_) {
+        if (run.record.status == "planned") waiting_.push_back(&run);
+    }
+    if (waiting_.empty()) return;
+    // The longest runs first, and of equal ones the codes at the end of the catalogue, which are
+    // the slowest: so that no processor is left with one long run at the end.
+    std::reverse(waiting_.begin(), waiting_.end());
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const auto* a, const auto* b) {
+        return a->record.work > b->record.work;
+    });
+    const double work = std::accumulate(
+        waiting_.begin(), waiting_.end(), 0.0,
+        [](double sum, const auto* run) { return sum + run->record.work; });
+    Progress progress(settings_.quiet, waiting_.size(), work);
+    const unsigned jobs =
+        settings_.jobs > 0 ? settings_.jobs : std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < std::min<std::size_t>(jobs, waiting_.size()); ++i) {
+        workers.emplace_back([&] { this->work(progress); });
+    }
+}
+
+void Runner::work(Progress& progress) {
+    for (std::size_t i = next_++; i < waiting_.size(); i = next_++) {
+        if (stop_.stop_requested()) return;
+        execute(*waiting_[i], progress);
+    }
+}
+
+void Runner::execute(PlannedRun& run, Progress& progress) {
+    auto& record = run.record;
+    record.created = store::utc_now();
+    std::string how;
+    try {
+        const RunDirectory directory(settings_, run);
+        measure(run, directory, progress);
+        record.status = "ok";
+        how = fmt::format("{:.2f} s CPU", record.cpu_s);
+        if (!settings_.keep_dumps) directory.remove();
+    } catch (const Interrupted&) {
+        record.status = "planned";
+        return;
+    } catch (const AdapterError& error) {
+        record.status = "run_failed";
+        record.reason = error.what();
+        record.log_tail = error.details().log_tail;
+        how = "run_failed: " + record.reason;
+    } catch (const std::exception& error) {
+        record.status = "run_failed";
+        record.reason = error.what();
+        how = "run_failed: " + record.reason;
+    }
+    keep(run);
+    progress.finished(label(run), record.work, how);
+}
+
+void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& progress) {
+    const auto estimators = make_estimators(*run.owner, *run.scene);
+    const double steps = static_cast<double>(run.scene->steps);
+    const std::string name = label(run);
+    const auto sink = [&](const scene::Frame& frame) {
+        for (const auto& estimator : estimators) estimator->add(frame);
+        progress.advanced(name, run.record.work, static_cast<double>(frame.step) / steps);
+    };
+    const adapters::RunCost cost = run.code->run(*run.scene,
+                                                 {.directory = directory.path(),
+                                                  .time_limit = run.time_limit,
+                                                  .stop = stop_,
+                                                  .keep_dump = settings_.keep_dumps},
+                                                 sink);
+    for (const auto& estimator : estimators) estimator->finish(run.record.results);
+    run.record.cpu_s = cost.cpu_s;
+    run.record.wall_s = cost.wall_s;
+}
+
+void Runner::keep(PlannedRun& run) {
+    const std::lock_guard lock(store_mutex_);
+    ++summary_.computed;
+    try {
+        run.record.id = store_.add(run.record);
+    } catch (const store::StoreError& error) {
+        // The results stay in memory and are reported; only the history is incomplete.
+        if (summary_.store_error.empty()) summary_.store_error = error.what();
+    }
+}
+
+}  // namespace
+
+RunSummary carry_out(std::vector<PlannedRun> runs, store::Store& store, const Settings& settings,
+                     std::stop_token stop, bool compute) {
+    return Runner(std::move(runs), store, settings, std::move(stop)).carry_out(compute);
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,99 @@
+#include "app/session.hpp"
+
+#include "app/catalogue.hpp"
+#include "app/plan.hpp"
+#include "app/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace crossgrain::app {
+namespace {
+
+void record(const SessionReport& report, const Settings& settings, store::Store& store) {
+    const Machine machine = this_machine();
+    const auto entry =
+        store.begin_entry({.command = settings.command,
+                           .version = program_version(),
+                           .machine = fmt::format("{}, {} cores, {}", machine.cpu, machine.cores,
+                                                  machine.os)});
+    for (const auto& item : report.cases) {
+        store.add_verdicts(entry, item.the_case->name, item.evaluation.verdicts);
+    }
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings) {
+    const std::string directory = (share_directory() / "catalog").string();
+    const std::string suite = settings.suite == catalog::Suite::quick ? "quick" : "full";
+    std::vector<std::shared_ptr<const catalog::Case>> cases;
+    const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;
+    for (const auto& name : names) {
+        auto found = catalog::find_case(directory, name, settings.suite);
+        const bool wanted = !settings.cases.empty() ||
+                            std::find(found.suites.begin(), found.suites.end(), suite) !=
+                                found.suites.end();
+        if (!wanted) continue;
+        check_observables(found);
+        cases.push_back(std::make_shared<const catalog::Case>(std::move(found)));
+    }
+    return cases;
+}
+
+SessionReport run_session(const Settings& settings, store::Store& store, std::stop_token stop,
+                          bool compute) {
+    const auto cases = selected_cases(settings);
+    const auto codes = select_codes(settings.codes);
+    const published::PublishedValues literature(share_directory() / "published");
+    std::vector<PlannedRun> runs;
+    std::vector<const catalog::Case*> owners;
+    for (const auto& the_case : cases) {
+        for (auto& run : plan(*the_case, codes, settings)) {
+            owners.push_back(the_case.get());
+            runs.push_back(std::move(run));
+        }
+    }
+    RunSummary summary = carry_out(std::move(runs), store, settings, std::move(stop), compute);
+    std::map<const catalog::Case*, std::vector<store::RunRecord>> by_case;
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+        by_case[owners[i]].push_back(std::move(summary.records[i]));
+    }
+    SessionReport report{.cases = {},
+                         .computed = summary.computed,
+                         .from_store = summary.from_store,
+                         .interrupted = summary.interrupted,
+                         .store_error = summary.store_error};
+    for (const auto& the_case : cases) {
+        CaseRuns case_runs(*the_case, std::move(by_case[the_case.get()]));
+        Evaluation evaluation = evaluate(case_runs, literature);
+        report.cases.push_back({the_case, std::move(case_runs), std::move(evaluation)});
+    }
+    try {
+        if (compute) record(report, settings, store);
+    } catch (const store::StoreError& error) {
+        if (report.store_error.empty()) report.store_error = error.what();
+    }
+    return report;
+}
+
+int exit_code(const SessionReport& report, const Settings& settings) {
+    if (report.interrupted) return exit_interrupted;
+    bool failed = !report.store_error.empty();
+    bool unexpected = false;
+    for (const auto& item : report.cases) {
+        for (const auto& run : item.runs.records()) {
+            const bool asked_but_absent = run.status == "not_installed" && !settings.codes.empty();
+            failed = failed || run.status == "run_failed" || asked_but_absent;
+        }
+        for (const auto& verdict : item.evaluation.verdicts) {
+            unexpected = unexpected || !verdict.expected;
+        }
+    }
+    if (failed) return exit_run_failed;
+    return unexpected ? exit_verdict : exit_ok;
+}
+
+}  // namespace crossgrain::app

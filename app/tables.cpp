@@ -1,0 +1,219 @@
+#include "app/tables.hpp"
+
+#include "app/text_table.hpp"
+#include "reference/compare/parity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace crossgrain::app {
+namespace {
+
+using compare::Outcome;
+using compare::Verdict;
+
+std::string value_text(const measure::Measurement& m) {
+    if (m.standard_error > 0) return fmt::format("{:.6g} +- {:.2g}", m.value, m.standard_error);
+    return fmt::format("{:.8g}", m.value);
+}
+
+/// The finest time step of a ladder stands for it; the ladder itself is in the convergence checks.
+std::string measurement_table(const CaseReport& item) {
+    const auto& codes = item.runs.codes();
+    std::vector<std::string> header{"observable"};
+    header.insert(header.end(), codes.begin(), codes.end());
+    TextTable table(header);
+    for (const auto& variant : item.the_case->variants) {
+        std::vector<std::string> observables;
+        std::map<std::pair<std::string, std::string>, std::string> cells;
+        for (const auto& m : item.evaluation.measurements) {
+            if (m.variant != variant.name || m.rung + 1 != variant.rungs) continue;
+            const std::string& name = m.combined.measurement.observable;
+            if (std::find(observables.begin(), observables.end(), name) == observables.end()) {
+                observables.push_back(name);
+            }
+            cells[{name, m.code}] = value_text(m.combined.measurement);
+        }
+        for (const auto& name : observables) {
+            std::vector<std::string> row{variant.name.empty()
+                                             ? name
+                                             : fmt::format("{} [{}]", name, variant.name)};
+            for (const auto& code : codes) {
+                const auto cell = cells.find({name, code});
+                row.push_back(cell == cells.end() ? "-" : cell->second);
+            }
+            table.add(std::move(row));
+        }
+    }
+    return table.empty() ? "" : table.text();
+}
+
+bool is_pair(const Verdict& v) {
+    return v.kind == compare::Kind::parity || v.kind == compare::Kind::agree;
+}
+
+std::string counts_text(const std::vector<const Verdict*>& group) {
+    std::map<Outcome, int> counts;
+    for (const auto* v : group) ++counts[v->outcome];
+    std::string text;
+    for (const auto& [outcome, count] : counts) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, compare::to_string(outcome));
+    }
+    return text;
+}
+
+std::string worst_text(const std::vector<const Verdict*>& group) {
+    const Verdict* worst = nullptr;
+    for (const auto* v : group) {
+        if (v->outcome != Outcome::agree && v->outcome != Outcome::disagree &&
+            !(v->outcome == Outcome::undecided && v->uncertainty > 0)) {
+            continue;
+        }
+        if (worst == nullptr || std::abs(v->difference) > std::abs(worst->difference)) worst = v;
+    }
+    if (worst == nullptr) return "-";
+    const std::string who =
+        is_pair(*worst) ? fmt::format("{}, {}", worst->code, worst->against) : worst->code;
+    const std::string error =
+        worst->uncertainty > 0 ? fmt::format(" +- {:.2g}", worst->uncertainty) : "";
+    return fmt::format("{:.2g}{} of {:.2g} ({})", worst->difference, error, worst->limit, who);
+}
+
+std::string check_table(const CaseReport& item) {
+    TextTable table({"check", "kind", "setting", "against", "verdicts", "largest difference"});
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<const Verdict*>> groups;
+    for (const auto& v : item.evaluation.verdicts) {
+        const std::string key = fmt::format("{}|{}|{}|{}", v.observable, static_cast<int>(v.kind),
+                                            v.setting, is_pair(v) ? "" : v.against);
+        if (!groups.contains(key)) order.push_back(key);
+        groups[key].push_back(&v);
+    }
+    for (const auto& key : order) {
+        const auto& group = groups[key];
+        const Verdict& first = *group.front();
+        table.add({first.observable, compare::to_string(first.kind), first.setting,
+                   is_pair(first) ? "pairs of codes" : first.against, counts_text(group),
+                   worst_text(group)});
+    }
+    return table.empty() ? "" : table.text();
+}
+
+}  // namespace
+
+std::string cost_table(const CaseReport& item) {
+    TextTable table({"cost", "runs", "CPU s", "particle-steps per CPU s"});
+    for (const auto& code : item.runs.codes()) {
+        double cpu = 0;
+        double work = 0;
+        int count = 0;
+        for (const auto& run : item.runs.records()) {
+            if (run.code != code || run.status != "ok") continue;
+            cpu += run.cpu_s;
+            work += run.work;
+            ++count;
+        }
+        if (count == 0) continue;
+        table.add({code, std::to_string(count), fmt::format("{:.2f}", cpu),
+                   cpu > 0 ? fmt::format("{:.3g}", work / cpu) : "-"});
+    }
+    return table.empty() ? "" : table.text();
+}
+
+std::string case_table(const CaseReport& item) {
+    return fmt::format("{}: {}\n{}\n{}\n{}\n", item.the_case->name, item.the_case->title,
+                       measurement_table(item), check_table(item), cost_table(item));
+}
+
+std::string verdict_table(const SessionReport& report) {
+    std::vector<std::string> codes;
+    for (const auto& item : report.cases) {
+        for (const auto& code : item.runs.codes()) {
+            if (std::find(codes.begin(), codes.end(), code) == codes.end()) codes.push_back(code);
+        }
+    }
+    std::vector<std::string> header{"verdicts"};
+    header.insert(header.end(), codes.begin(), codes.end());
+    TextTable table(header);
+    for (const auto& item : report.cases) {
+        std::vector<std::string> row{item.the_case->name};
+        for (const auto& code : codes) {
+            std::vector<const Verdict*> group;
+            for (const auto& v : item.evaluation.verdicts) {
+                if (v.code == code || (is_pair(v) && v.against == code)) group.push_back(&v);
+            }
+            row.push_back(group.empty() ? "-" : counts_text(group));
+        }
+        table.add(std::move(row));
+    }
+    return table.text(0);
+}
+
+std::string certificate_table(const SessionReport& report) {
+    TextTable table({"case", "codes", "max |dx| (digits) at contact times", "max |dh|", "verdict"});
+    for (const auto& item : report.cases) {
+        for (const auto& pair : item.evaluation.certificate) {
+            std::vector<std::pair<double, double>> by_time;
+            for (const auto& [time, dx] : pair.max_dx) by_time.emplace_back(std::stod(time), dx);
+            std::sort(by_time.begin(), by_time.end());
+            std::string dx_text;
+            for (const auto& [time, dx] : by_time) {
+                dx_text += fmt::format("{}{:g}: {:.1e} ({:.1f})", dx_text.empty() ? "" : "  ", time,
+                                       dx, compare::matching_digits(dx, pair.diameter));
+            }
+            std::string dh_text;
+            for (const auto& [window, dh] : pair.max_dh) {
+                dh_text += fmt::format("{}t {}: {:.1e}", dh_text.empty() ? "" : "  ", window, dh);
+            }
+            table.add({pair.case_name, fmt::format("{}, {}", pair.a, pair.b),
+                       dx_text.empty() ? "-" : dx_text, dh_text.empty() ? "-" : dh_text,
+                       compare::to_string(pair.outcome)});
+        }
+    }
+    return table.empty() ? "no case with a parity check was selected\n" : table.text(0);
+}
+
+std::string exceptions_list(const SessionReport& report) {
+    std::string text;
+    for (const auto& item : report.cases) {
+        std::set<std::string> failures;
+        for (const auto& run : item.runs.records()) {
+            if (run.status == "run_failed") failures.insert(run.reason);
+        }
+        for (const auto& reason : failures) {
+            text += fmt::format("run_failed: {}: {}\n", item.the_case->name, reason);
+        }
+        for (const auto& v : item.evaluation.verdicts) {
+            if (v.expected || v.outcome == Outcome::run_failed) continue;
+            text += fmt::format("{}: {} {} {}{}{}: {}\n", compare::to_string(v.outcome),
+                                item.the_case->name, v.observable,
+                                v.setting.empty() ? "" : fmt::format("[{}] ", v.setting), v.code,
+                                v.against.empty() ? "" : " against " + v.against, v.reason);
+        }
+    }
+    return text;
+}
+
+std::string history_table(const std::vector<HistorySeries>& history) {
+    TextTable table({"case", "variant", "code", "observable", "values", "newest", "earlier band",
+                     "status"});
+    for (const auto& series : history) {
+        const auto& newest = series.points.back();
+        table.add({series.case_name, series.variant.empty() ? "-" : series.variant, series.code,
+                   series.observable, std::to_string(series.points.size()),
+                   newest.standard_error > 0
+                       ? fmt::format("{:.6g} +- {:.2g}", newest.value, newest.standard_error)
+                       : fmt::format("{:.6g}", newest.value),
+                   series.drift == Drift::too_few
+                       ? "-"
+                       : fmt::format("{:.6g} ... {:.6g}", series.low, series.high),
+                   to_string(series.drift)});
+    }
+    return table.empty() ? "the store holds no runs yet\n" : table.text(0);
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,21 @@
+// Plain text tables with aligned columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace crossgrain::app {
+
+class TextTable {
+  public:
+    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    [[nodiscard]] bool empty() const noexcept { return rows_.size() < 2; }
+    /// Columns separated by two spaces; indented by `indent` spaces.
+    [[nodiscard]] std::string text(std::size_t indent = 2) const;
+
+  private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace crossgrain::app

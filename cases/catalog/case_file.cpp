@@ -1,0 +1,179 @@
+#include "cases/catalog/case.hpp"
+
+#include "cases/catalog/check_file.hpp"
+#include "cases/scene/scene_file.hpp"
+#include "cases/toml/toml_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace crossgrain::catalog {
+
+using toml_input::Range;
+using toml_input::TomlTable;
+
+/// The parsed file and, per variant, the layers of [scene] from the top: variant, quick, case.
+struct Case::Source {
+    toml::table root;
+    bool quick = false;
+    std::string file;
+
+    [[nodiscard]] TomlTable scene_table(std::size_t variant) const;
+};
+
+namespace {
+
+const toml::table* sub_table(const toml::table& parent, std::string_view key) {
+    const auto* node = parent.get(key);
+    return node == nullptr ? nullptr : node->as_table();
+}
+
+std::vector<Variant> read_variants(const TomlTable& t) {
+    std::vector<Variant> variants;
+    for (const TomlTable& entry : t.tables("variant")) {
+        Variant variant{.name = entry.text("name"), .not_expressible_in = {}};
+        if (entry.has("not_expressible_in")) {
+            variant.not_expressible_in = entry.texts("not_expressible_in");
+        }
+        (void)entry.table("scene");  // read by Case::scene
+        entry.reject_unknown_keys();
+        variants.push_back(std::move(variant));
+    }
+    if (variants.empty()) variants.push_back({.name = "", .not_expressible_in = {}});
+    return variants;
+}
+
+Replicas read_replicas(const TomlTable& t) {
+    Replicas replicas;
+    for (const auto& key : t.keys()) {
+        const std::int64_t count = t.integer(key, 1);
+        if (key == "default") {
+            replicas.standard = count;
+        } else {
+            replicas.by_code[key] = count;
+        }
+    }
+    return replicas;
+}
+
+std::vector<ObservableRequest> read_observables(const TomlTable& t) {
+    std::vector<ObservableRequest> requests;
+    for (const TomlTable& entry : t.tables("observable")) {
+        const CaseError here = entry.error("name", "", "", "");
+        ObservableRequest request{.name = entry.text("name"),
+                                  .options = {},
+                                  .line = here.details().line,
+                                  .column = here.details().column};
+        for (const auto& key : entry.keys()) {
+            if (key == "name") continue;
+            const CaseError at = entry.error(key, "", "", "");
+            Option option{.line = at.details().line, .column = at.details().column};
+            if (entry.is_text(key)) {
+                option.text = entry.text(key);
+            } else {
+                option.numbers = entry.numbers(key, Range::any());
+            }
+            request.options.emplace(key, std::move(option));
+        }
+        requests.push_back(std::move(request));
+    }
+    return requests;
+}
+
+void check_every_scene(const Case& the_case) {
+    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+        for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
+            (void)the_case.scene(variant, rung, 1);
+        }
+    }
+}
+
+}  // namespace
+
+TomlTable Case::Source::scene_table(std::size_t variant) const {
+    std::vector<const toml::table*> layers;
+    const auto add = [&](const toml::table* owner) {
+        if (owner == nullptr) return;
+        if (const auto* scene = sub_table(*owner, "scene")) layers.push_back(scene);
+    };
+    if (const auto* variants = root.get("variant")) {
+        if (const auto* array = variants->as_array()) add((*array)[variant].as_table());
+    }
+    if (quick) add(sub_table(root, "quick"));
+    add(&root);
+    return {file, "scene", std::move(layers)};
+}
+
+std::int64_t Replicas::of(const std::string& code) const {
+    const auto found = by_code.find(code);
+    return found == by_code.end() ? standard : found->second;
+}
+
+scene::Scene Case::scene(std::size_t variant, std::size_t rung, std::uint64_t seed) const {
+    std::string full_name = name;
+    if (!variants[variant].name.empty()) full_name += "/" + variants[variant].name;
+    if (variants[variant].rungs > 1) full_name += fmt::format("/{}", rung + 1);
+    return scene::read_scene(parsed->scene_table(variant),
+                             {.name = full_name, .rung = rung, .seed = seed});
+}
+
+Case load_case(const std::string& file, Suite suite) {
+    auto source = std::make_shared<Case::Source>();
+    source->root = toml_input::parse_toml_file(file);
+    source->file = file;
+    source->quick = suite == Suite::quick;
+    std::vector<const toml::table*> layers{&source->root};
+    if (const auto* quick = sub_table(source->root, "quick"); quick != nullptr && source->quick) {
+        layers.insert(layers.begin(), quick);
+    }
+    const TomlTable t(file, "", layers);
+    Case result;
+    result.file = file;
+    result.name = t.text("name");
+    result.title = t.text("title");
+    result.source = t.text("source");
+    result.text = t.text("text");
+    result.suites = t.texts("suites");
+    result.time_limit = t.number("time_limit", Range::positive());
+    result.variants = read_variants(t);
+    result.replicas = read_replicas(t.table("replicas"));
+    result.observables = read_observables(t);
+    result.checks = read_checks(t);
+    (void)t.table("quick");
+    for (std::size_t v = 0; v < result.variants.size(); ++v) {
+        result.variants[v].rungs = scene::ladder_size(source->scene_table(v));
+    }
+    (void)t.table("scene");
+    t.reject_unknown_keys();
+    result.parsed = std::move(source);
+    check_every_scene(result);
+    return result;
+}
+
+std::vector<std::string> case_names(const std::string& directory) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Case find_case(const std::string& directory, const std::string& name, Suite suite) {
+    if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
+        return load_case(name, suite);
+    }
+    const std::vector<std::string> names = case_names(directory);
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        const auto near = toml_input::nearest(name, names);
+        throw CaseError({.problem = "unknown case",
+                         .got = fmt::format("'{}'", name),
+                         .expected = "a name from 'crossgrain cases' or the path of a case file",
+                         .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
+    }
+    return load_case((std::filesystem::path(directory) / (name + ".toml")).string(), suite);
+}
+
+}  // namespace crossgrain::catalog

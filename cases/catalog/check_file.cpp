@@ -1,0 +1,71 @@
+#include "cases/catalog/check_file.hpp"
+
+#include <array>
+#include <string>
+
+namespace crossgrain::catalog {
+namespace {
+
+using toml_input::Range;
+using toml_input::TomlTable;
+
+const std::array<std::string, 4> kinds{"exact", "parity", "agree", "published"};
+const std::array<std::string, 3> aspects{"value", "limit", "order"};
+const std::array<std::string, 6> outcomes{"agree",           "disagree",      "undecided",
+                                          "not_expressible", "not_installed", "no_reference"};
+
+void read_expectation(const TomlTable& t, Check& check) {
+    if (t.has("expect")) check.expect = outcomes[t.choice("expect", outcomes)];
+    const TomlTable by_code = t.table("expect_for");
+    for (const auto& code : by_code.keys()) {
+        check.expect_for[code] = outcomes[by_code.choice(code, outcomes)];
+    }
+    check.expect_reason = t.optional_text("expect_reason").value_or("");
+    const bool unusual = check.expect != "agree" || !check.expect_for.empty();
+    if (unusual && check.expect_reason.empty()) {
+        throw t.error("expect_reason", "is missing", "",
+                      "why something else than agreement is expected");
+    }
+}
+
+void read_place(const TomlTable& t, Check& check) {
+    check.at_contact_times = t.optional_number("at_contact_times", Range::positive());
+    check.from = t.optional_number("from", Range::not_negative());
+    check.to = t.optional_number("to", Range::positive());
+    check.column = t.optional_text("column").value_or("");
+    if (check.observable == "trajectory" && !check.at_contact_times) {
+        throw t.error("at_contact_times", "is missing", "", "the time of the comparison");
+    }
+}
+
+Check read_check(const TomlTable& t) {
+    Check check;
+    check.kind = static_cast<CheckKind>(t.choice("kind", kinds));
+    check.observable = t.text("observable");
+    if (t.has("aspect")) check.aspect = static_cast<Aspect>(t.choice("aspect", aspects));
+    if (check.kind == CheckKind::exact || check.kind == CheckKind::published) {
+        check.against = t.text("against");
+    }
+    if (check.aspect == Aspect::order) check.order = t.number("order", Range::positive());
+    if (t.has("variants")) check.variants = t.texts("variants");
+    check.limit = t.number("limit", Range::positive());
+    const TomlTable limits = t.table("limit_for");
+    for (const auto& code : limits.keys()) {
+        check.limit_for[code] = limits.number(code, Range::positive());
+    }
+    check.reason = t.text("reason");
+    read_place(t, check);
+    read_expectation(t, check);
+    t.reject_unknown_keys();
+    return check;
+}
+
+}  // namespace
+
+std::vector<Check> read_checks(const TomlTable& t) {
+    std::vector<Check> checks;
+    for (const TomlTable& entry : t.tables("check")) checks.push_back(read_check(entry));
+    return checks;
+}
+
+}  // namespace crossgrain::catalog

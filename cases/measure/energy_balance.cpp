@@ -1,0 +1,192 @@
+#include "cases/measure/energy_balance.hpp"
+
+#include "cases/measure/blocking.hpp"
+#include "cases/measure/plate_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace crossgrain::measure {
+namespace {
+
+bool moves(const std::optional<scene::PrescribedPlate>& plate) {
+    return plate && plate->amplitude > 0;
+}
+
+std::optional<scene::PrescribedPlate> prescribed_lid(const scene::Plates& plates) {
+    const auto* plate = std::get_if<scene::PrescribedPlate>(&plates.lid);
+    return plate ? std::optional(*plate) : std::nullopt;
+}
+
+// Power taken out by one contact, -(F - F_spring) . v_rel; see the header for the variants.
+double dissipated_power(const scene::ContactLaw& law, double overlap, double normal_speed,
+                        double tangential_speed_squared) {
+    const bool full = law.damping_acts_on == scene::Damping::full_vector;
+    const double drag = full ? law.damping * tangential_speed_squared : 0.0;
+    const bool attractive = law.stiffness * overlap < law.damping * normal_speed;
+    if (law.clipping == scene::Clipping::none || !attractive) {
+        return law.damping * normal_speed * normal_speed + drag;
+    }
+    const double given_up = law.stiffness * overlap * normal_speed;
+    return law.clipping == scene::Clipping::all ? given_up : given_up + drag;
+}
+
+}  // namespace
+
+EnergyBalance::EnergyBalance(const scene::Scene& scene, EnergyBalanceOptions options)
+    : options_(options), driven_(moves(scene.plates.bottom) || moves(prescribed_lid(scene.plates))),
+      grains_(scene.grains), contact_(scene.contact), plates_(scene.plates),
+      gravity_(scene.gravity), frozen_(scene.initial.frozen),
+      contacts_(scene.grains.diameter, scene.periodic_x, scene.periodic_y) {
+    const double interval = scene.dt * static_cast<double>(scene.frame_every);
+    frames_per_contact_time_ = scene::contact_time(scene) / interval;
+    applicable_ = std::isfinite(frames_per_contact_time_) &&
+                  frames_per_contact_time_ >= 10 * (1 - 1e-9) &&
+                  scene.contact.spins == scene::Spins::off;
+}
+
+void EnergyBalance::add_motion(const scene::Frame& frame, Sample& sample) const {
+    const double m = grains_.mass;
+    for (std::size_t i = 0; i < frame.x.size(); ++i) {
+        sample.kinetic += m / 2 * (frame.vx[i] * frame.vx[i] + frame.vy[i] * frame.vy[i]);
+        sample.gravity += m * gravity_ * frame.y[i];
+    }
+    const auto* lid = std::get_if<scene::FreeLid>(&plates_.lid);
+    if (lid && frame.lid) {
+        sample.kinetic += lid->mass / 2 * frame.lid->velocity * frame.lid->velocity;
+        sample.gravity += lid->mass * gravity_ * frame.lid->height;
+    }
+}
+
+void EnergyBalance::add_pairs(const scene::Frame& frame, Sample& sample) {
+    for (const Contact& c : contacts_.find(frame.x, frame.y)) {
+        const double overlap = grains_.diameter - c.distance;
+        const double vx = frame.vx[c.i] - frame.vx[c.j];
+        const double vy = frame.vy[c.i] - frame.vy[c.j];
+        const double normal = vx * c.nx + vy * c.ny;
+        const double tangential = vy * c.nx - vx * c.ny;
+        // Contacts between frozen grains do not change and would only add a constant.
+        if (!frozen_.empty() && frozen_[c.i] && frozen_[c.j]) continue;
+        sample.elastic += contact_.stiffness / 2 * overlap * overlap;
+        sample.dissipated_power +=
+            dissipated_power(contact_, overlap, normal, tangential * tangential);
+    }
+}
+
+void EnergyBalance::add_plates(const scene::Frame& frame, Sample& sample) const {
+    const double reach =
+        plates_.touches == scene::PlateContact::surface ? grains_.diameter / 2 : 0.0;
+    const auto bottom = bottom_state(plates_, frame.time);
+    const auto lid = lid_state(plates_, frame);
+    // A free lid is part of the system: what it gives to a grain it loses itself.
+    const double lid_drive = prescribed_lid(plates_) ? lid->velocity : 0.0;
+    for (std::size_t i = 0; i < frame.y.size(); ++i) {
+        if (!frozen_.empty() && frozen_[i]) continue;
+        if (bottom) {
+            const double overlap = std::max(0.0, bottom->height - (frame.y[i] - reach));
+            sample.elastic += plates_.stiffness / 2 * overlap * overlap;
+            sample.input_power += plates_.stiffness * overlap * bottom->velocity;
+        }
+        if (lid) {
+            const double overlap = std::max(0.0, frame.y[i] + reach - lid->height);
+            sample.elastic += plates_.stiffness / 2 * overlap * overlap;
+            sample.input_power -= plates_.stiffness * overlap * lid_drive;
+        }
+    }
+}
+
+void EnergyBalance::add(const scene::Frame& frame) {
+    if (!applicable_) return;
+    Sample sample{.time = frame.time};
+    add_motion(frame, sample);
+    add_pairs(frame, sample);
+    add_plates(frame, sample);
+    samples_.push_back(sample);
+}
+
+EnergyBalance::Balance EnergyBalance::integrate(std::size_t stride, std::size_t end) const {
+    Balance balance;
+    for (std::size_t i = 0; i + stride <= end; i += stride) {
+        const Sample& a = samples_[i];
+        const Sample& b = samples_[i + stride];
+        const double half = (b.time - a.time) / 2;
+        balance.input += half * (a.input_power + b.input_power);
+        balance.dissipated += half * (a.dissipated_power + b.dissipated_power);
+    }
+    balance.change = samples_[end].total() - samples_[0].total();
+    return balance;
+}
+
+double EnergyBalance::scale(const Balance& balance) const {
+    if (driven_ && balance.input != 0) return std::abs(balance.input);
+    if (balance.dissipated > 0) return balance.dissipated;
+    double largest = 0;
+    for (const Sample& sample : samples_) {
+        largest = std::max(largest, sample.kinetic + sample.elastic);
+    }
+    return largest;
+}
+
+void EnergyBalance::add_averages(Results& results) const {
+    const auto add_mean = [&](const std::string& name, const std::string& unit, auto quantity) {
+        std::vector<double> values;
+        for (const Sample& sample : samples_) {
+            if (sample.time >= options_.skip) values.push_back(quantity(sample));
+        }
+        const auto mean = blocked_mean(values);
+        if (!mean) return;
+        results.measurements.push_back({.observable = name,
+                                        .value = mean->value,
+                                        .standard_error = mean->standard_error,
+                                        .n = mean->blocks,
+                                        .unit = unit,
+                                        .settings = {{"skip", options_.skip}}});
+    };
+    add_mean("mean_energy", "m l^2/t^2", [](const Sample& s) { return s.total(); });
+    add_mean("mean_energy_input", "m l^2/t^3", [](const Sample& s) { return s.input_power; });
+    add_mean("mean_dissipation", "m l^2/t^3", [](const Sample& s) { return s.dissipated_power; });
+}
+
+void EnergyBalance::add_series(Results& results) const {
+    Series series{.name = "energy",
+                  .columns = {"t", "kinetic", "gravity", "elastic", "input", "dissipated"},
+                  .values = std::vector<std::vector<double>>(6)};
+    Balance so_far;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const Sample& s = samples_[i];
+        if (i > 0) {
+            const Sample& before = samples_[i - 1];
+            const double half = (s.time - before.time) / 2;
+            so_far.input += half * (before.input_power + s.input_power);
+            so_far.dissipated += half * (before.dissipated_power + s.dissipated_power);
+        }
+        const double row[] = {s.time,    s.kinetic,    s.gravity,
+                              s.elastic, so_far.input, so_far.dissipated};
+        for (std::size_t c = 0; c < series.values.size(); ++c)
+            series.values[c].push_back(row[c]);
+    }
+    results.series.push_back(std::move(series));
+}
+
+void EnergyBalance::finish(Results& results) {
+    if (!applicable_ || samples_.size() < 3) return;
+    const std::size_t last = samples_.size() - 1;
+    const Balance balance = integrate(1, last);
+    const double unit = scale(balance);
+    if (unit > 0) {
+        // Halving the sampling needs an even number of intervals.
+        const std::size_t even = last - last % 2;
+        const double coarsening = integrate(2, even).residual() - integrate(1, even).residual();
+        results.measurements.push_back(
+            {.observable = "energy_residual",
+             .value = balance.residual() / unit,
+             .systematic = std::abs(coarsening) / unit,
+             .n = samples_.size(),
+             .settings = {{"frames_per_contact_time", frames_per_contact_time_}}});
+    }
+    add_averages(results);
+    add_series(results);
+}
+
+}  // namespace crossgrain::measure

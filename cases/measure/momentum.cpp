@@ -1,0 +1,45 @@
+#include "cases/measure/momentum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossgrain::measure {
+
+Momentum::Momentum(const scene::Scene& scene)
+    : mass_(scene.grains.mass),
+      x_conserved_(std::ranges::none_of(scene.initial.frozen, [](bool f) { return f; })),
+      y_conserved_(x_conserved_ && scene.gravity == 0 && !scene.plates.bottom &&
+                   std::holds_alternative<std::monostate>(scene.plates.lid)) {}
+
+void Momentum::add(const scene::Frame& frame) {
+    if (!x_conserved_) return;
+    double px = 0, py = 0, squares = 0;
+    for (std::size_t i = 0; i < frame.vx.size(); ++i) {
+        px += mass_ * frame.vx[i];
+        py += mass_ * frame.vy[i];
+        squares += frame.vx[i] * frame.vx[i] + frame.vy[i] * frame.vy[i];
+    }
+    if (frames_ == 0) {
+        first_x_ = px;
+        first_y_ = py;
+    }
+    ++frames_;
+    worst_x_ = std::max(worst_x_, std::abs(px - first_x_));
+    worst_y_ = std::max(worst_y_, std::abs(py - first_y_));
+    scale_ = std::max(scale_, mass_ * std::sqrt(squares));
+}
+
+void Momentum::finish(Results& results) {
+    if (!x_conserved_ || frames_ < 2 || scale_ == 0) return;
+    results.measurements.push_back({.observable = "momentum_drift_x",
+                                    .value = worst_x_ / scale_,
+                                    .n = frames_,
+                                    .settings = {}});
+    if (!y_conserved_) return;
+    results.measurements.push_back({.observable = "momentum_drift_y",
+                                    .value = worst_y_ / scale_,
+                                    .n = frames_,
+                                    .settings = {}});
+}
+
+}  // namespace crossgrain::measure

@@ -1,0 +1,78 @@
+// Blocking against series whose error of the mean is known in closed form.
+#include "cases/measure/blocking.hpp"
+
+#include "native/base/random.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tt = boost::test_tools;
+using namespace crossgrain;
+
+namespace {
+
+// x_{i+1} = phi x_i + noise of unit variance, stationary from the start; the variance of its mean
+// is 1/((1 - phi)^2 n) for n much longer than the correlation.
+std::vector<double> autoregressive(double phi, std::size_t n, std::uint64_t which) {
+    std::vector<double> series;
+    double x = normal_pair(2, RandomStream::jitter, which << 32)[0] / std::sqrt(1 - phi * phi);
+    for (std::size_t i = 0; i < n; ++i) {
+        series.push_back(x);
+        x = phi * x + normal_pair(2, RandomStream::jitter, (which << 32) + i + 1)[0];
+    }
+    return series;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(error_of_correlated_series_is_the_known_one) {
+    for (const double phi : {0.0, 0.5, 0.9, 0.98}) {
+        constexpr std::size_t n = 1 << 14;
+        constexpr int repeats = 100;
+        double stated = 0, squares = 0;
+        for (std::uint64_t r = 0; r < repeats; ++r) {
+            const auto mean = measure::blocked_mean(autoregressive(phi, n, r));
+            BOOST_TEST_REQUIRE(mean.has_value());
+            stated += mean->standard_error / repeats;
+            squares += mean->value * mean->value / repeats;
+        }
+        const double exact = 1 / ((1 - phi) * std::sqrt(static_cast<double>(n)));
+        BOOST_TEST_MESSAGE("phi " << phi << ": stated/exact " << stated / exact
+                                  << ", scatter/exact " << std::sqrt(squares) / exact);
+        // Blocks of finite length miss a little of the correlation: at most a tenth.
+        BOOST_TEST(stated == exact, tt::tolerance(0.1));
+        // 100 repeats know the scatter to 7 %: three of those.
+        BOOST_TEST(std::sqrt(squares) == exact, tt::tolerance(0.21));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(oscillation_is_not_mistaken_for_noise) {
+    // 64 periods of 100 samples: the mean is known far better than 1/sqrt(2 n).
+    std::vector<double> series;
+    for (int i = 0; i < 6400; ++i)
+        series.push_back(std::cos(2 * std::numbers::pi / 100 * i));
+    const auto mean = measure::blocked_mean(series);
+    BOOST_TEST_REQUIRE(mean.has_value());
+    BOOST_TEST(mean->standard_error < 0.02);
+    BOOST_TEST(std::abs(mean->value) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(constant_series_is_exact) {
+    const auto mean = measure::blocked_mean(std::vector<double>(100, 0.1));
+    BOOST_TEST_REQUIRE(mean.has_value());
+    BOOST_TEST(mean->value == 0.1);
+    BOOST_TEST(mean->standard_error == 0);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_series_shorter_than_their_correlation) {
+    BOOST_TEST(!measure::blocked_mean({}).has_value());
+    BOOST_TEST(!measure::blocked_mean(std::vector<double>{1, 2, 1, 2, 1, 2, 1}).has_value());
+    // A drift: every block length looks more correlated than the last.
+    std::vector<double> drift;
+    for (int i = 0; i < 1000; ++i)
+        drift.push_back(i);
+    BOOST_TEST(!measure::blocked_mean(drift).has_value());
+}

@@ -1,0 +1,47 @@
+// What the checks look at in a page.
+import assert from "node:assert/strict";
+
+/** Draws every plot, also those below the fold, and returns their traces by name of the plot. */
+export async function plots(page) {
+  return page.evaluate(() => {
+    window.crossgrain.plot.drawAll();
+    return [...document.querySelectorAll("[data-plot]")].map((plot) => ({
+      name: plot.dataset.plot,
+      traces: plot.data.map((trace) => ({ meta: trace.meta, name: trace.name, points: trace.x.length })),
+      axes: Object.entries(plot.layout)
+        .filter(([key]) => /^[xy]axis/.test(key))
+        .map(([, axis]) => axis.title.text),
+    }));
+  });
+}
+
+export const countTraces = (plot, meta) => plot.traces.filter((trace) => trace.meta === meta).length;
+
+/** Elements that show green in any way, as "tag.class: text". */
+export async function greenElements(page) {
+  return page.evaluate(() => {
+    const isGreen = (color) => {
+      const [r, g, b, a = 1] = (color.match(/[\d.]+/g) || []).map(Number);
+      return a > 0 && g > r + 3 && g > b + 3;
+    };
+    const properties = ["color", "backgroundColor", "borderLeftColor", "borderTopColor", "fill", "stroke"];
+    return [...document.querySelectorAll("body *")]
+      .filter((element) => properties.some((property) => isGreen(getComputedStyle(element)[property])))
+      .map((element) => ({
+        text: element.textContent.trim().slice(0, 60),
+        agree: element.closest(".c-agree, .v-agree, .t-agree") !== null,
+      }));
+  });
+}
+
+export async function assertNoOverflow(page) {
+  const { content, window: width } = await page.evaluate(() => ({
+    content: document.documentElement.scrollWidth,
+    window: window.innerWidth,
+  }));
+  assert.ok(content <= width, `page is ${content} px wide in a window of ${width} px`);
+}
+
+export function assertQuiet(page) {
+  assert.deepEqual(page.problems, []);
+}
