@@ -35,8 +35,12 @@ struct ObservableEntry {
 [[nodiscard]] std::vector<std::unique_ptr<measure::Estimator>>
 make_estimators(const catalog::Case& the_case, const scene::Scene& scene);
 
-/// Checks the names of observables and options, so that a typing error is found before any run.
+/// Checks the names of observables and their options. Throws CaseError.
 void check_observables(const catalog::Case& the_case);
+
+/// Checks the names of observables, options and codes, so that a typing error is found before any
+/// run. Throws CaseError.
+void check_names(const catalog::Case& the_case);
 
 /// The exact value for a scene, e.g. "analytic:restitution". Nothing if the name is not known or
 /// the closed form does not hold for this scene.

@@ -57,6 +57,17 @@ std::vector<std::size_t> variants_of(const catalog::Case& the_case, const catalo
     return result;
 }
 
+std::vector<std::string> codes_of(const CaseRuns& runs, const catalog::Check& check) {
+    if (check.codes.empty()) return runs.codes();
+    std::vector<std::string> result;
+    for (const auto& code : runs.codes()) {
+        if (std::find(check.codes.begin(), check.codes.end(), code) != check.codes.end()) {
+            result.push_back(code);
+        }
+    }
+    return result;
+}
+
 compare::Verdict blank_verdict(const catalog::Case& the_case, const catalog::Check& check,
                                const std::string& code, std::size_t variant) {
     compare::Verdict verdict{.code = code,

@@ -69,6 +69,8 @@ void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation);
 /// Variants a check applies to.
 [[nodiscard]] std::vector<std::size_t> variants_of(const catalog::Case& the_case,
                                                    const catalog::Check& check);
+/// Codes of the runs a check applies to, in their order.
+[[nodiscard]] std::vector<std::string> codes_of(const CaseRuns& runs, const catalog::Check& check);
 /// A verdict with all that the check itself says; its outcome is still open.
 [[nodiscard]] compare::Verdict blank_verdict(const catalog::Case& the_case,
                                              const catalog::Check& check, const std::string& code,

@@ -175,7 +175,7 @@ void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::s
 
 void evaluate_exact(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
     for (const std::size_t variant : variants_of(runs.the_case(), check)) {
-        for (const auto& code : runs.codes()) {
+        for (const auto& code : codes_of(runs, check)) {
             compare::Verdict verdict = blank_verdict(runs.the_case(), check, code, variant);
             if (const auto absence = runs.absence(code, variant)) {
                 conclude(runs, check, variant, "", absence->outcome, absence->reason, verdict);

@@ -95,7 +95,7 @@ std::optional<Absence> pair_absence(const CaseRuns& runs, std::size_t variant, c
 template <class Judge>
 void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation,
                    Judge judge) {
-    const auto& codes = runs.codes();
+    const auto codes = codes_of(runs, check);
     for (const std::size_t variant : variants_of(runs.the_case(), check)) {
         for (std::size_t i = 0; i < codes.size(); ++i) {
             for (std::size_t j = i + 1; j < codes.size(); ++j) {

@@ -39,7 +39,7 @@ void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
         check.against.starts_with(prefix) ? check.against.substr(prefix.size()) : check.against;
     const auto reference = literature.find(id);
     for (const std::size_t variant : variants_of(runs.the_case(), check)) {
-        for (const auto& code : runs.codes()) {
+        for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, variant);
             if (const auto absence = runs.absence(code, variant)) {
                 conclude(runs, check, variant, "", absence->outcome, absence->reason, verdict);

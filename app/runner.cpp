@@ -23,13 +23,20 @@ std::string label(const PlannedRun& run) {
     return text;
 }
 
+std::string directory_name(const PlannedRun& run) {
+    std::string name = label(run);
+    for (char& c : name) {
+        if (c == '/' || c == ' ' || c == '#') c = '-';
+    }
+    return name;
+}
+
 /// A run's private directory, below the results so that it can be looked at; removed when the run
 /// went well and no dump was asked for.
 class RunDirectory {
   public:
     RunDirectory(const Settings& settings, const PlannedRun& run)
-        : path_(fs::absolute(settings.results) / "runs" /
-                fmt::format("{}-{}", run.record.code, run.record.key.substr(0, 16))) {
+        : path_(fs::absolute(settings.results) / "runs" / directory_name(run)) {
         fs::remove_all(path_);
         fs::create_directories(path_);
     }

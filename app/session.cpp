@@ -37,7 +37,7 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
                             std::find(found.suites.begin(), found.suites.end(), suite) !=
                                 found.suites.end();
         if (!wanted) continue;
-        check_observables(found);
+        check_names(found);
         cases.push_back(std::make_shared<const catalog::Case>(std::move(found)));
     }
     return cases;

@@ -37,7 +37,7 @@ class Script {
     [[nodiscard]] std::string position(const std::string& name, const scene::PrescribedPlate& plate,
                                        double offset);
     void add_wall(const std::string& name, const char* face, const std::string& coordinate);
-    void add_free_lid(const scene::FreeLid& lid);
+    void add_free_lid();
 
     const scene::Scene& scene_;
     dump::AtomTypes types_;
@@ -105,8 +105,8 @@ std::string Script::position(const std::string& name, const scene::PrescribedPla
                              double offset) {
     if (plate.amplitude == 0) return fmt::format("{:.17g}", plate.height + offset);
     // The same order of operations as scene::height_at, so that the phase agrees to the last digit.
-    line("variable {} equal {:.17g}+{:.17g}+{:.17g}*cos({:.17g}*(step*{:.17g}))", name,
-         plate.height, offset, plate.amplitude, 2.0 * std::numbers::pi / plate.period, scene_.dt);
+    line("variable {} equal {:.17g}+{:.17g}*cos({:.17g}*(step*{:.17g}))", name,
+         plate.height + offset, plate.amplitude, 2.0 * std::numbers::pi / plate.period, scene_.dt);
     return "v_" + name;
 }
 
@@ -121,7 +121,7 @@ void Script::add_wall(const std::string& name, const char* face, const std::stri
          scene_.plates.stiffness / 2, wall_offset_ + reach);
 }
 
-void Script::add_free_lid(const scene::FreeLid&) {
+void Script::add_free_lid() {
     const std::size_t id = scene_.grain_count() + 1;
     line("variable lid equal y[{}]+{:.17g}", id, wall_offset_);
     add_wall("lid", "yhi", "v_lid");
@@ -137,8 +137,8 @@ void Script::add_plates() {
     }
     if (const auto* prescribed = std::get_if<scene::PrescribedPlate>(&plates.lid)) {
         add_wall("lid", "yhi", position("lid", *prescribed, wall_offset_));
-    } else if (const auto* free_lid = std::get_if<scene::FreeLid>(&plates.lid)) {
-        add_free_lid(*free_lid);
+    } else if (scene_.has_free_lid()) {
+        add_free_lid();
     }
 }
 

@@ -15,10 +15,7 @@ namespace {
 
 class Script {
   public:
-    explicit Script(const scene::Scene& scene)
-        : scene_(scene), types_(dump::atom_types(scene)),
-          reach_(scene.plates.touches == scene::PlateContact::surface ? scene.grains.diameter / 2
-                                                                      : 0.0) {}
+    explicit Script(const scene::Scene& scene) : scene_(scene), types_(dump::atom_types(scene)) {}
 
     void add_setup();
     void add_state(const std::string& data_name);
@@ -35,12 +32,12 @@ class Script {
         text_.push_back('\n');
     }
     void add_pair_property(const char* name, double value);
-    void add_prescribed_position(const char* name, const scene::PrescribedPlate& plate);
-    void add_lid_force();
+    void add_prescribed_position(const char* name, const scene::PrescribedPlate& plate,
+                                 double offset);
+    void add_plate_force(const char* name, char forbidden);
 
     const scene::Scene& scene_;
     dump::AtomTypes types_;
-    double reach_;  // from a grain's centre to where a plate touches it
     fmt::memory_buffer text_;
 };
 
@@ -111,39 +108,41 @@ void Script::add_motion() {
     if (scene_.gravity > 0) line("fix weight moving gravity {:.17g} vector 0 -1 0", scene_.gravity);
 }
 
-/// Equal-style variable with the plate's height, in the same order of operations as
-/// scene::height_at, so that the phase agrees to the last digit.
-void Script::add_prescribed_position(const char* name, const scene::PrescribedPlate& plate) {
+/// Equal-style variable `name`: where a prescribed plate touches a grain's centre, `offset` from
+/// the plate. The same order of operations as scene::height_at: the phase agrees to the last digit.
+void Script::add_prescribed_position(const char* name, const scene::PrescribedPlate& plate,
+                                     double offset) {
     if (plate.amplitude == 0) {
-        line("variable {} equal {:.17g}", name, plate.height);
+        line("variable {} equal {:.17g}", name, plate.height + offset);
         return;
     }
-    line("variable {} equal {:.17g}+{:.17g}*cos({:.17g}*(step*{:.17g}))", name, plate.height,
-         plate.amplitude, 2.0 * std::numbers::pi / plate.period, scene_.dt);
+    line("variable {} equal {:.17g}+{:.17g}*cos({:.17g}*(step*{:.17g}))", name,
+         plate.height + offset, plate.amplitude, 2.0 * std::numbers::pi / plate.period, scene_.dt);
 }
 
-void Script::add_lid_force() {
-    line("variable lidforce atom -{0:.17g}*(y+{1:.17g}-v_lid)*(y+{1:.17g}>v_lid)",
-         scene_.plates.stiffness, reach_);
-    line("fix lidforce grains addforce 0 v_lidforce 0");
+/// A spring on every grain that is on the `forbidden` side ('<' or '>') of the position `name`.
+void Script::add_plate_force(const char* name, char forbidden) {
+    line("variable {0}force atom {1:.17g}*((v_{0}-y)*(y{2}v_{0}))", name, scene_.plates.stiffness,
+         forbidden);
+    line("fix {0}force grains addforce 0 v_{0}force 0", name);
 }
 
 /// Plates are forces on the grains: primitive walls of LIGGGHTS touch the surface only, and they
 /// neither vibrate nor move freely.
 void Script::add_plates() {
     const auto& plates = scene_.plates;
+    const bool surface = plates.touches == scene::PlateContact::surface;
+    const double reach = surface ? scene_.grains.diameter / 2 : 0.0;
     if (plates.bottom) {
-        add_prescribed_position("bottom", *plates.bottom);
-        line("variable bottomforce atom {0:.17g}*(v_bottom-(y-{1:.17g}))*(y-{1:.17g}<v_bottom)",
-             plates.stiffness, reach_);
-        line("fix bottomforce grains addforce 0 v_bottomforce 0");
+        add_prescribed_position("bottom", *plates.bottom, reach);
+        add_plate_force("bottom", '<');
     }
     if (const auto* prescribed = std::get_if<scene::PrescribedPlate>(&plates.lid)) {
-        add_prescribed_position("lid", *prescribed);
-        add_lid_force();
+        add_prescribed_position("lid", *prescribed, -reach);
+        add_plate_force("lid", '>');
     } else if (std::holds_alternative<scene::FreeLid>(plates.lid)) {
-        line("variable lid equal y[{}]", scene_.grain_count() + 1);
-        add_lid_force();
+        line("variable lid equal y[{}]-{:.17g}", scene_.grain_count() + 1, reach);
+        add_plate_force("lid", '>');
         line("compute push grains reduce sum v_lidforce");
         line("variable push equal -c_push");
         line("fix push lid addforce 0 v_push 0");

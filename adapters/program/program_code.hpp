@@ -24,7 +24,8 @@ class ProgramCode : public Code {
     [[nodiscard]] virtual std::vector<std::string> command_line() const = 0;
     [[nodiscard]] virtual std::vector<std::string> environment() const { return {}; }
     /// The first error message in the program's output although it may have exited with 0, e.g.
-    /// the line that starts with "ERROR"; nothing if there is none.
+    /// the line that starts with "ERROR"; nothing if there is none. Of a huge output only the last
+    /// 4 MB are given.
     [[nodiscard]] virtual std::optional<std::string>
     error_in(const std::string& stdout_text, const std::string& stderr_text) const = 0;
 };

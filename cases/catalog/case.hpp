@@ -44,6 +44,7 @@ struct Check {
     std::string against;                     ///< "analytic:..." or "published:..."
     double order = 0;                        ///< theoretical order of convergence, Aspect::order
     std::vector<std::string> variants;       ///< empty: all
+    std::vector<std::string> codes;          ///< empty: all
     double limit = 0;                        ///< tolerance or equivalence margin, > 0
     std::map<std::string, double> limit_for; ///< by code; a pair takes its largest
     std::string reason;                      ///< why this limit
@@ -53,6 +54,7 @@ struct Check {
     std::string expect = "agree";
     std::map<std::string, std::string> expect_for;  ///< by code
     std::string expect_reason;               ///< required if anything but `agree` is expected
+    int line = 0;                            ///< of the check in its file
 };
 
 struct Variant {

@@ -5,6 +5,7 @@
 #include "cases/toml/toml_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -61,11 +62,8 @@ Replicas read_replicas(const TomlTable& t) {
 std::vector<ObservableRequest> read_observables(const TomlTable& t) {
     std::vector<ObservableRequest> requests;
     for (const TomlTable& entry : t.tables("observable")) {
-        const CaseError here = entry.error("name", "", "", "");
-        ObservableRequest request{.name = entry.text("name"),
-                                  .options = {},
-                                  .line = here.details().line,
-                                  .column = here.details().column};
+        ObservableRequest request{
+            .name = entry.text("name"), .options = {}, .line = entry.line(), .column = 1};
         for (const auto& key : entry.keys()) {
             if (key == "name") continue;
             const CaseError at = entry.error(key, "", "", "");
@@ -80,6 +78,23 @@ std::vector<ObservableRequest> read_observables(const TomlTable& t) {
         requests.push_back(std::move(request));
     }
     return requests;
+}
+
+/// A check that names a variant which is not there would never be asked.
+void check_variant_names(const Case& the_case) {
+    std::vector<std::string> names;
+    for (const auto& variant : the_case.variants) names.push_back(variant.name);
+    for (const auto& check : the_case.checks) {
+        for (const auto& name : check.variants) {
+            if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+            throw CaseError({.file = the_case.file,
+                             .line = check.line,
+                             .key = "check.variants",
+                             .problem = "names no variant",
+                             .got = fmt::format("\"{}\"", name),
+                             .expected = fmt::format("one of {}", fmt::join(names, ", "))});
+        }
+    }
 }
 
 void check_every_scene(const Case& the_case) {
@@ -148,6 +163,7 @@ Case load_case(const std::string& file, Suite suite) {
     (void)t.table("scene");
     t.reject_unknown_keys();
     result.parsed = std::move(source);
+    check_variant_names(result);
     check_every_scene(result);
     return result;
 }

@@ -40,6 +40,7 @@ void read_place(const TomlTable& t, Check& check) {
 
 Check read_check(const TomlTable& t) {
     Check check;
+    check.line = t.line();
     check.kind = static_cast<CheckKind>(t.choice("kind", kinds));
     check.observable = t.text("observable");
     if (t.has("aspect")) check.aspect = static_cast<Aspect>(t.choice("aspect", aspects));
@@ -48,6 +49,7 @@ Check read_check(const TomlTable& t) {
     }
     if (check.aspect == Aspect::order) check.order = t.number("order", Range::positive());
     if (t.has("variants")) check.variants = t.texts("variants");
+    if (t.has("codes")) check.codes = t.texts("codes");
     check.limit = t.number("limit", Range::positive());
     const TomlTable limits = t.table("limit_for");
     for (const auto& code : limits.keys()) {

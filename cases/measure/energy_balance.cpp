@@ -1,7 +1,7 @@
 #include "cases/measure/energy_balance.hpp"
 
-#include "cases/measure/blocking.hpp"
 #include "cases/measure/plate_motion.hpp"
+#include "cases/measure/time_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,6 @@
 
 namespace crossgrain::measure {
 namespace {
-
-bool moves(const std::optional<scene::PrescribedPlate>& plate) {
-    return plate && plate->amplitude > 0;
-}
 
 std::optional<scene::PrescribedPlate> prescribed_lid(const scene::Plates& plates) {
     const auto* plate = std::get_if<scene::PrescribedPlate>(&plates.lid);
@@ -35,9 +31,9 @@ double dissipated_power(const scene::ContactLaw& law, double overlap, double nor
 }  // namespace
 
 EnergyBalance::EnergyBalance(const scene::Scene& scene, EnergyBalanceOptions options)
-    : options_(options), driven_(moves(scene.plates.bottom) || moves(prescribed_lid(scene.plates))),
-      grains_(scene.grains), contact_(scene.contact), plates_(scene.plates),
-      gravity_(scene.gravity), frozen_(scene.initial.frozen),
+    : options_(options), driven_(driving_period(scene.plates).has_value()), grains_(scene.grains),
+      contact_(scene.contact), plates_(scene.plates), gravity_(scene.gravity),
+      frozen_(scene.initial.frozen),
       contacts_(scene.grains.diameter, scene.periodic_x, scene.periodic_y) {
     const double interval = scene.dt * static_cast<double>(scene.frame_every);
     frames_per_contact_time_ = scene::contact_time(scene) / interval;
@@ -129,12 +125,14 @@ double EnergyBalance::scale(const Balance& balance) const {
 }
 
 void EnergyBalance::add_averages(Results& results) const {
+    std::vector<double> times;
+    for (const Sample& sample : samples_)
+        times.push_back(sample.time);
     const auto add_mean = [&](const std::string& name, const std::string& unit, auto quantity) {
         std::vector<double> values;
-        for (const Sample& sample : samples_) {
-            if (sample.time >= options_.skip) values.push_back(quantity(sample));
-        }
-        const auto mean = blocked_mean(values);
+        for (const Sample& sample : samples_)
+            values.push_back(quantity(sample));
+        const auto mean = time_mean(times, values, options_.skip, driving_period(plates_));
         if (!mean) return;
         results.measurements.push_back({.observable = name,
                                         .value = mean->value,

@@ -34,9 +34,10 @@ struct EnergyBalanceOptions {
 };
 
 /// Measurements: `energy_residual` (1), n is the number of frames, setting frames_per_contact_time;
-/// and, from t = skip on, `mean_energy` (m l^2/t^2), `mean_energy_input` and `mean_dissipation`
-/// (m l^2/t^3; powers), with standard errors by blocking (absent when the run is too short for
-/// one). Series "energy": t, kinetic, gravity, elastic, input, dissipated (the last two cumulated).
+/// and `mean_energy` (m l^2/t^2), `mean_energy_input` and `mean_dissipation` (m l^2/t^3; powers),
+/// time means from t = skip on (time_mean.hpp; over whole periods if driven), n the number of
+/// independent blocks, absent when the run is too short to tell their errors. Series "energy": t,
+/// kinetic, gravity, elastic, input, dissipated (the last two cumulated).
 ///
 /// Nothing if the frame interval exceeds t_col/10, if the pair is overdamped (it has no t_col), if
 /// grains spin (the force is then not a function of the frame), or for fewer than three frames.

@@ -1,10 +1,10 @@
 #include "cases/measure/lid_height.hpp"
 
-#include "cases/measure/blocking.hpp"
 #include "cases/measure/plate_motion.hpp"
+#include "cases/measure/time_mean.hpp"
 
 #include <algorithm>
-#include <span>
+#include <functional>
 
 namespace crossgrain::measure {
 
@@ -21,9 +21,7 @@ void LidHeight::add(const scene::Frame& frame) {
 
 void LidHeight::finish(Results& results) {
     if (time_.empty()) return;
-    const auto start = std::ranges::lower_bound(time_, options_.skip) - time_.begin();
-    const auto kept = std::span(height_).subspan(static_cast<std::size_t>(start));
-    if (const auto mean = blocked_mean(kept)) {
+    if (const auto mean = time_mean(time_, height_, options_.skip, driving_period(plates_))) {
         results.measurements.push_back({.observable = "mean_lid_height",
                                         .value = mean->value,
                                         .standard_error = mean->standard_error,

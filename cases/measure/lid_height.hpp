@@ -14,8 +14,8 @@ struct LidHeightOptions {
 
 /// Series "lid-height": t, h and, if the scene has a bottom, bottom and spacing = h - bottom (the
 /// spacing Delta h of Taguchi, chao-dyn/9405003 (1994), Fig. 2). For a free lid as well as for a
-/// prescribed one. Measurement `mean_lid_height` (l), time mean from t = skip on, standard error by
-/// blocking (see blocking.hpp), n the number of independent blocks; absent when the run is too
+/// prescribed one. Measurement `mean_lid_height` (l), time mean from t = skip on (time_mean.hpp;
+/// over whole periods if driven), n the number of independent blocks; absent when the run is too
 /// short to tell its error. Nothing without a lid.
 class LidHeight final : public Estimator {
   public:

@@ -23,4 +23,11 @@ std::optional<PlateState> lid_state(const scene::Plates& plates, const scene::Fr
     return std::nullopt;
 }
 
+std::optional<double> driving_period(const scene::Plates& plates) {
+    if (plates.bottom && plates.bottom->amplitude > 0) return plates.bottom->period;
+    const auto* lid = std::get_if<scene::PrescribedPlate>(&plates.lid);
+    if (lid && lid->amplitude > 0) return lid->period;
+    return std::nullopt;
+}
+
 }  // namespace crossgrain::measure

@@ -21,4 +21,7 @@ using PlateState = scene::LidState;
 [[nodiscard]] std::optional<PlateState> lid_state(const scene::Plates& plates,
                                                   const scene::Frame& frame);
 
+/// Period of the plate that moves, the bottom's if both do. Nothing if none does.
+[[nodiscard]] std::optional<double> driving_period(const scene::Plates& plates);
+
 }  // namespace crossgrain::measure

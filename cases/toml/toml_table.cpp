@@ -88,6 +88,10 @@ std::string TomlTable::dotted(std::string_view key) const {
     return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
+int TomlTable::line() const {
+    return layers_.empty() ? 0 : static_cast<int>(layers_.back()->source().begin.line);
+}
+
 const toml::node* TomlTable::find(std::string_view key) const {
     if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
     for (const auto* layer : layers_) {

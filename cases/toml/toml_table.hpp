@@ -63,6 +63,8 @@ class TomlTable {
     [[nodiscard]] CaseError error(std::string_view key, std::string problem, std::string got,
                                   std::string expected, std::string hint = {}) const;
     [[nodiscard]] const std::string& file() const noexcept { return file_; }
+    /// Where the lowest layer begins; 0 without layers.
+    [[nodiscard]] int line() const;
     [[nodiscard]] std::string dotted(std::string_view key) const;
 
   private:

@@ -53,7 +53,7 @@ window.crossgrain = window.crossgrain || {};
       ...periods.map((period) => distance((pair.max_dh || {})[period], (pair.limits_dh || {})[period])),
       [
         badge(pair.verdict, isExpected(pair)),
-        isExpected(pair) ? null : el("span", { class: "flag" }, "unexpected"),
+        isExpected(pair) ? null : [" ", el("span", { class: "flag" }, "unexpected")],
         pair.reason ? el("span", { class: "reason" }, pair.reason) : null,
       ],
     ];

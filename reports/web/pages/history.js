@@ -99,7 +99,11 @@ window.crossgrain = window.crossgrain || {};
     const rowAttributes = (i) => attributes(sorted[i]);
     const rows = sorted.map(row);
     const shown = table({ caption, columns, rows, className: "history", cards: true, rowAttributes });
-    const filter = crossgrain.historyFilter(all, shown.querySelector("table"), (status) => stateOf({ status }).word);
+    const filter = crossgrain.historyFilter(
+      all,
+      shown.querySelector("table"),
+      (status) => stateOf({ status }).word,
+    );
     return [sentence(all), filter, shown];
   };
 })(window.crossgrain);

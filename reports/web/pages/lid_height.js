@@ -55,7 +55,10 @@ window.crossgrain = window.crossgrain || {};
   }
 
   function differenceTrace(series, apart) {
-    const style = { color: crossgrain.codes.color(series.code), dash: crossgrain.codes.look(series.code).dash };
+    const style = {
+      color: crossgrain.codes.color(series.code),
+      dash: crossgrain.codes.look(series.code).dash,
+    };
     // Zero has no place on a log axis: gaps, counted in the notes.
     const y = apart.map((value) => value || null);
     const trace = { meta: "difference", yaxis: "y2", connectgaps: false, line: { ...style, width: 1.6 } };
@@ -78,7 +81,9 @@ window.crossgrain = window.crossgrain || {};
   }
 
   function differences(group) {
-    const all = group.filter((series) => series.code !== reference).map((series) => difference(series, group));
+    const all = group
+      .filter((series) => series.code !== reference)
+      .map((series) => difference(series, group));
     return {
       traces: all.map(({ trace }) => trace).filter(Boolean),
       notes: all.map(({ note }) => note).filter(Boolean),

@@ -49,6 +49,28 @@ BOOST_AUTO_TEST_CASE(error_of_correlated_series_is_the_known_one) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(error_of_short_series_is_not_much_too_small) {
+    // Forty values, as many as a run has periods: six batches of six know 0.8 and 0.6 of
+    // the variance of the mean at phi = 0.5 and 0.7.
+    for (const double phi : {0.0, 0.5, 0.7}) {
+        constexpr std::size_t n = 40;
+        constexpr int repeats = 2000;
+        double answers = 0, stated = 0, squares = 0;
+        for (std::uint64_t r = 0; r < repeats; ++r) {
+            const auto mean = measure::blocked_mean(autoregressive(phi, n, r));
+            if (!mean) continue;
+            answers += 1;
+            stated += mean->standard_error * mean->standard_error;
+            squares += mean->value * mean->value;
+        }
+        BOOST_TEST_MESSAGE("phi " << phi << ": answered " << answers / repeats
+                                  << ", stated/true variance " << stated / squares);
+        BOOST_TEST(stated / squares > 0.5);
+        BOOST_TEST(stated / squares < 1.2);
+        BOOST_TEST(answers / repeats > 0.9);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(oscillation_is_not_mistaken_for_noise) {
     // 64 periods of 100 samples: the mean is known far better than 1/sqrt(2 n).
     std::vector<double> series;
@@ -69,10 +91,22 @@ BOOST_AUTO_TEST_CASE(constant_series_is_exact) {
 
 BOOST_AUTO_TEST_CASE(refuses_series_shorter_than_their_correlation) {
     BOOST_TEST(!measure::blocked_mean({}).has_value());
-    BOOST_TEST(!measure::blocked_mean(std::vector<double>{1, 2, 1, 2, 1, 2, 1}).has_value());
+    BOOST_TEST(!measure::blocked_mean(std::vector<double>(11, 1.0)).has_value());
     // A drift: every block length looks more correlated than the last.
     std::vector<double> drift;
     for (int i = 0; i < 1000; ++i)
         drift.push_back(i);
     BOOST_TEST(!measure::blocked_mean(drift).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(independent_batches_are_seldom_taken_for_a_drift) {
+    constexpr int repeats = 5000;
+    double answers = 0;
+    for (std::uint64_t r = 0; r < repeats; ++r) {
+        if (measure::blocked_mean(autoregressive(0, 12, r))) answers += 1.0 / repeats;
+    }
+    BOOST_TEST_MESSAGE("answered " << answers);
+    // 5000 repeats know the rate to 0.0015.
+    BOOST_TEST(answers > 0.98);
+    BOOST_TEST(answers < 0.99);
 }

@@ -41,10 +41,10 @@ measure::Results run(const scene::Scene& scene, double skip, std::size_t frames)
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(mean_and_error_after_the_transient) {
-    const auto results = run(bed(), 5.0 - 1e-9, 4050);
+    const auto results = run(bed(), 5.0 - 1e-9, 24050);
     const auto& mean = get(results, "mean_lid_height");
-    // 4000 independent samples of unit variance.
-    BOOST_TEST(mean.standard_error == 1 / std::sqrt(4000.0), tt::tolerance(0.3));
+    // 24000 independent samples of unit variance in 400 periods of the bottom.
+    BOOST_TEST(mean.standard_error == 1 / std::sqrt(24000.0), tt::tolerance(0.3));
     BOOST_TEST(std::abs(mean.value - 30) < 4 * mean.standard_error);
 }
 

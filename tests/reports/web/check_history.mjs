@@ -2,9 +2,7 @@
 import assert from "node:assert/strict";
 import { assertNoOverflow, assertQuiet, plots } from "./page_probes.mjs";
 
-export async function historyChecks(check, open, document) {
-  const series = document.history.series;
-  const page = await open("history.html", { width: 1400, height: 500 });
+async function checkLazyDrawing(check, page, series) {
   const charts = page.locator('[data-plot="history"]');
 
   await check("charts are drawn when scrolled into view", async () => {
@@ -14,6 +12,9 @@ export async function historyChecks(check, open, document) {
     await charts.last().scrollIntoViewIfNeeded();
     await page.waitForFunction(() => [...document.querySelectorAll("[data-plot]")].at(-1).data);
   });
+}
+
+async function checkRows(check, page, series) {
   await check("series that left their band are flagged, first and in the sentence", async () => {
     const flagged = page.locator('.history tr[data-status="left_band"]');
     assert.equal(await flagged.count(), series.filter((entry) => entry.status === "left_band").length);
@@ -36,6 +37,12 @@ export async function historyChecks(check, open, document) {
     await page.fill("#history-text", "exponent");
     assert.equal(await visible(), series.filter((entry) => entry.observable.includes("exponent")).length);
   });
+}
+
+export async function historyChecks(check, open, document) {
+  const page = await open("history.html", { width: 1400, height: 500 });
+  await checkLazyDrawing(check, page, document.history.series);
+  await checkRows(check, page, document.history.series);
   await check("no console message (history)", () => assertQuiet(page));
   await check("no horizontal overflow at 360 px (history)", async () => {
     const narrow = await open("history.html", { width: 360, height: 800 });

@@ -8,6 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { browserPath, withBrowser } from "../../../reports/web/browser.mjs";
 import { absentChecks } from "./check_absent.mjs";
+import { brokenChecks } from "./check_broken.mjs";
 import { historyChecks } from "./check_history.mjs";
 import { reportChecks } from "./check_report.mjs";
 
@@ -64,10 +65,12 @@ rmSync(work, { recursive: true, force: true });
 mkdirSync(work, { recursive: true });
 const rich = makeReport("rich");
 const absent = makeReport("absent");
+const broken = makeReport("broken");
 await withBrowser({ viewport: { width: 1400, height: 900 } }, async (context) => {
   const opener = (report) => (name, viewport) => open(context, report, name, viewport);
   await reportChecks(check, opener(rich), rich.document);
   await historyChecks(check, opener(rich), rich.document);
   await absentChecks(check, opener(absent), absent.document);
+  await brokenChecks(check, opener(broken), broken.document);
 });
 process.exit(failures > 0 ? 1 : 0);

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 export async function plots(page) {
   return page.evaluate(() => {
     window.crossgrain.plot.drawAll();
-    return [...document.querySelectorAll("[data-plot]")].map((plot) => ({
+    return [...document.querySelectorAll("[data-plot].js-plotly-plot")].map((plot) => ({
       name: plot.dataset.plot,
       traces: plot.data.map((trace) => ({ meta: trace.meta, name: trace.name, points: trace.x.length })),
       axes: Object.entries(plot.layout)
