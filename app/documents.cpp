@@ -53,6 +53,23 @@ json measurement_json(const CodeMeasurement& item) {
             {"settings", std::move(settings)}};
 }
 
+/// The fitted order of a convergence curve, as the report page expects it.
+json order_json(const ConvergenceCurve& curve) {
+    const auto interval = [](double value, double error) {
+        return json{value - 1.96 * error, value + 1.96 * error};
+    };
+    return {{"code", curve.code},
+            {"variant", curve.variant},
+            {"observable", "convergence-order"},
+            {"value", curve.order},
+            {"stderr", curve.order_error},
+            {"systematic", 0.0},
+            {"ci95", interval(curve.order, curve.order_error)},
+            {"n", curve.dt.size()},
+            {"unit", "1"},
+            {"settings", {{"of", curve.observable}}}};
+}
+
 json verdict_json(const compare::Verdict& v) {
     return {{"code", v.code},
             {"observable", v.observable},
@@ -73,6 +90,7 @@ json case_json(const CaseReport& item) {
     for (const auto& run : item.runs.records()) runs.push_back(run_json(run));
     json measurements = json::array();
     for (const auto& m : item.evaluation.measurements) measurements.push_back(measurement_json(m));
+    for (const auto& curve : item.evaluation.curves) measurements.push_back(order_json(curve));
     json verdicts = json::array();
     for (const auto& v : item.evaluation.verdicts) verdicts.push_back(verdict_json(v));
     return {{"case", item.the_case->name},
@@ -100,6 +118,21 @@ json pair_json(const CertificatePair& pair) {
             {"reason", pair.reason}};
 }
 
+/// Figures that a case's runs are meant to fill, whether they ran or not.
+json figures_json(const catalog::Case& the_case) {
+    json figures = json::array();
+    for (const auto& request : the_case.observables) {
+        if (request.name == "lid-height") figures.push_back("lid-height");
+        if (request.name == "displacement-spectrum") figures.push_back("spectrum");
+    }
+    for (const auto& check : the_case.checks) {
+        if (check.aspect != catalog::Aspect::order) continue;
+        figures.push_back("convergence");
+        break;
+    }
+    return figures;
+}
+
 /// Curves of the first replica of each code; per-collision tables stay in the store.
 json series_json(const CaseReport& item) {
     json all = json::array();
@@ -107,12 +140,14 @@ json series_json(const CaseReport& item) {
         if (run.status != "ok" || run.replica != 0) continue;
         for (const auto& series : run.results.series) {
             if (series.name == "collisions") continue;
-            all.push_back({{"code", run.code},
-                           {"variant", run.variant},
-                           {"replica", run.replica},
-                           {"name", series.name},
-                           {"columns", series.columns},
-                           {"values", series.values}});
+            json entry{{"code", run.code},
+                       {"variant", run.variant},
+                       {"replica", run.replica},
+                       {"name", series.name},
+                       {"columns", series.columns},
+                       {"values", series.values}};
+            if (!series.units.empty()) entry["units"] = series.units;
+            all.push_back(std::move(entry));
         }
     }
     for (const auto& curve : item.evaluation.curves) {
@@ -120,12 +155,8 @@ json series_json(const CaseReport& item) {
                        {"variant", curve.variant},
                        {"replica", 0},
                        {"name", "convergence"},
-                       {"observable", curve.observable},
-                       {"order", curve.order},
-                       {"order_error", curve.order_error},
-                       {"limit", curve.limit},
-                       {"limit_error", curve.limit_error},
                        {"columns", {"dt", "mean_error", "rms_error"}},
+                       {"units", {"t", "1", "1"}},
                        {"values", {curve.dt, curve.mean_error, curve.rms_error}}});
     }
     return all;
@@ -157,7 +188,7 @@ json certificate_document(const SessionReport& report) {
     for (const auto& item : report.cases) {
         for (const auto& pair : item.evaluation.certificate) pairs.push_back(pair_json(pair));
     }
-    return {{"pairs", std::move(pairs)}};
+    return {{"length_unit", "reduced units"}, {"pairs", std::move(pairs)}};
 }
 
 json history_document(const std::vector<HistorySeries>& history) {
@@ -195,6 +226,7 @@ json report_document(const SessionReport& report, const std::vector<HistorySerie
         entry["title"] = item.the_case->title;
         entry["text"] = item.the_case->text;
         entry["source"] = item.the_case->source;
+        entry["figures"] = figures_json(*item.the_case);
         entry["series"] = series_json(item);
         cases.push_back(std::move(entry));
     }

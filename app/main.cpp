@@ -6,10 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <functional>
 #include <map>
 #include <stop_token>
+#include <string_view>
 #include <thread>
 
 namespace {
@@ -130,16 +133,15 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
 
 /// Commands of the interface that do not exist yet are refused by name, not as a typing error.
 void refuse_future_commands(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        for (const char* name :
-             {"chart", "stability", "advise", "bench", "regressions", "selftest"}) {
-            if (std::string_view(argv[i]) == name) {
-                throw CaseError({.problem = fmt::format("'{}' is not part of this version", name),
-                                 .hint = "see 'crossgrain --help' for the commands there are"});
-            }
-            if (argv[i][0] != '-') break;
-        }
-    }
+    constexpr std::array<std::string_view, 6> future{"chart", "stability",   "advise",
+                                                     "bench", "regressions", "selftest"};
+    const auto* command = std::find_if(argv + 1, argv + argc, [](const char* word) {
+        return word[0] != '-';
+    });
+    if (command == argv + argc) return;
+    if (std::find(future.begin(), future.end(), *command) == future.end()) return;
+    throw CaseError({.problem = fmt::format("'{}' is not part of this version", *command),
+                     .hint = "see 'crossgrain --help' for the commands there are"});
 }
 
 /// validate, report and compare are about the quick suite unless told otherwise; the others about

@@ -14,7 +14,7 @@ namespace crossgrain::adapters {
 class ProgramCode : public Code {
   public:
     /// Name of the pipe (in the run's directory) to which the input must direct the dump.
-    static constexpr const char* dump_name = "dump.pipe";
+    static constexpr const char* dump_name = "trajectory.dump";
 
     RunCost run(const scene::Scene& scene, const RunOptions& options,
                 const scene::FrameSink& sink) const final;

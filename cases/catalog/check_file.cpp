@@ -23,8 +23,7 @@ void read_expectation(const TomlTable& t, Check& check) {
     check.expect_reason = t.optional_text("expect_reason").value_or("");
     const bool unusual = check.expect != "agree" || !check.expect_for.empty();
     if (unusual && check.expect_reason.empty()) {
-        throw t.error("expect_reason", "is missing", "",
-                      "why something else than agreement is expected");
+        throw t.missing("expect_reason", "why something else than agreement is expected");
     }
 }
 
@@ -34,7 +33,7 @@ void read_place(const TomlTable& t, Check& check) {
     check.to = t.optional_number("to", Range::positive());
     check.column = t.optional_text("column").value_or("");
     if (check.observable == "trajectory" && !check.at_contact_times) {
-        throw t.error("at_contact_times", "is missing", "", "the time of the comparison");
+        throw t.missing("at_contact_times", "the time of the comparison");
     }
 }
 

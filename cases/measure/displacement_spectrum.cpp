@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -199,11 +200,33 @@ void DisplacementSpectrum::add_series(Results& results) const {
             error.push_back(power.standard_error);
         }
         const std::string group = label(options_.groups[g]);
-        series.columns.insert(series.columns.end(), {"S_" + group, "stderr_" + group});
+        series.columns.insert(series.columns.end(), {"S_" + group, "err_" + group});
         series.values.push_back(std::move(mean));
         series.values.push_back(std::move(error));
     }
     results.series.push_back(std::move(series));
+}
+
+void DisplacementSpectrum::add_fits(Results& results) const {
+    Series fits{.name = "spectrum-fit",
+                .columns = {"layer_first", "layer_last", "k_min", "k_max", "exponent",
+                            "exponent_err", "amplitude"},
+                .values = std::vector<std::vector<double>>(7)};
+    for (std::size_t g = 0; g < options_.groups.size(); ++g) {
+        const auto& spectra = group_spectra_[g];
+        const auto slope = slope_of_mean(spectra, options_.k_min, options_.k_max);
+        const auto law = fit_power_law(mean_spectrum(spectra), options_.k_min, options_.k_max);
+        if (!slope || !law) continue;
+        const std::array<double, 7> row{static_cast<double>(options_.groups[g].first),
+                                        static_cast<double>(options_.groups[g].last),
+                                        static_cast<double>(options_.k_min),
+                                        static_cast<double>(options_.k_max),
+                                        law->exponent,
+                                        slope->standard_error,
+                                        law->amplitude};
+        for (std::size_t c = 0; c < row.size(); ++c) fits.values[c].push_back(row[c]);
+    }
+    if (!fits.values[0].empty()) results.series.push_back(std::move(fits));
 }
 
 void DisplacementSpectrum::finish(Results& results) {
@@ -220,6 +243,7 @@ void DisplacementSpectrum::finish(Results& results) {
         add_slope(g, {options_.tail_min, options_.tail_max}, "slope_tail_", false, results);
     }
     add_series(results);
+    add_fits(results);
 }
 
 }  // namespace crossgrain::measure

@@ -36,7 +36,7 @@ slopes_without_blocks(std::span<const std::vector<double>> samples, std::size_t 
 
 }  // namespace
 
-std::optional<double> log_log_slope(std::span<const double> spectrum, int k_min, int k_max) {
+std::optional<PowerLaw> fit_power_law(std::span<const double> spectrum, int k_min, int k_max) {
     if (k_min < 1 || k_max <= k_min || static_cast<std::size_t>(k_max) >= spectrum.size()) {
         return std::nullopt;
     }
@@ -54,7 +54,14 @@ std::optional<double> log_log_slope(std::span<const double> spectrum, int k_min,
         xx += x * x;
         xy += x * (std::log(spectrum[static_cast<std::size_t>(k)]) - mean_y);
     }
-    return xy / xx;
+    const double exponent = xy / xx;
+    return PowerLaw{.exponent = exponent, .amplitude = std::exp(mean_y - exponent * mean_x)};
+}
+
+std::optional<double> log_log_slope(std::span<const double> spectrum, int k_min, int k_max) {
+    const auto law = fit_power_law(spectrum, k_min, k_max);
+    if (!law) return std::nullopt;
+    return law->exponent;
 }
 
 std::vector<double> mean_spectrum(std::span<const std::vector<double>> samples) {

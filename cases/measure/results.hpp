@@ -24,6 +24,7 @@ struct Series {
     std::string name;                        ///< e.g. "lid-height"
     std::vector<std::string> columns;        ///< e.g. {"t", "h"}
     std::vector<std::vector<double>> values; ///< shape (columns, rows)
+    std::vector<std::string> units = {};     ///< parallel to columns; empty if not stated
 };
 
 /// State at one time, for trajectory comparison between codes. Arrays have shape (grains).

@@ -172,6 +172,11 @@ void generate(Scene& scene, const Explicit& given) { scene.initial = given.state
 
 void generate_initial_state(Scene& scene, const InitialStateRecipe& recipe) {
     std::visit([&](const auto& r) { generate(scene, r); }, recipe);
+    for (std::size_t i = 0; i < scene.initial.frozen.size(); ++i) {
+        if (scene.initial.frozen[i] && (scene.initial.vx[i] != 0 || scene.initial.vy[i] != 0)) {
+            throw std::invalid_argument(fmt::format("grain {} is frozen but has a velocity", i));
+        }
+    }
     if (const std::size_t contacts = initial_contacts(scene); contacts > 0) {
         throw std::invalid_argument(
             fmt::format("{} contacts at the start: codes would start them differently", contacts));

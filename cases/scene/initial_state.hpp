@@ -55,7 +55,7 @@ using InitialStateRecipe = std::variant<Pairs, Bounces, Gas, Lattice, Explicit>;
 
 /// Fills scene.initial (and the height of a free lid for Lattice and Bounces) from the recipe.
 /// All else of the scene must be set. Throws std::invalid_argument with a one-line reason if the
-/// grains do not fit or touch at the start.
+/// grains do not fit, touch at the start, or are frozen and move.
 void generate_initial_state(Scene& scene, const InitialStateRecipe& recipe);
 
 }  // namespace crossgrain::scene

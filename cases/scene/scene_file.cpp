@@ -3,6 +3,7 @@
 #include "cases/scene/initial_state_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -33,8 +34,7 @@ std::string exactly_one(const TomlTable& t, const std::vector<std::string>& keys
         found = key;
     }
     if (found.empty()) {
-        throw t.error(keys.front(), "is missing", "",
-                      fmt::format("'{}' or one of its alternatives", keys.front()));
+        throw t.missing(keys.front(), fmt::format("one of '{}'", fmt::join(keys, "', '")));
     }
     return found;
 }
@@ -79,7 +79,7 @@ PrescribedPlate read_prescribed_plate(const TomlTable& t) {
                                     t.optional_number("amplitude", Range::not_negative()).value_or(0),
                                 .period = t.optional_number("period", Range::positive()).value_or(1)};
     if (plate.amplitude > 0 && !t.has("period")) {
-        throw t.error("period", "is missing", "", "the period of the plate's motion");
+        throw t.missing("period", "the period of the plate's motion");
     }
     t.reject_unknown_keys();
     return plate;

@@ -104,8 +104,21 @@ bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
 
 const toml::node& TomlTable::required(std::string_view key, std::string_view type) const {
     const auto* node = find(key);
-    if (node == nullptr) throw error(key, "is missing", "", std::string(type));
+    if (node == nullptr) throw missing(key, std::string(type));
     return *node;
+}
+
+CaseError TomlTable::missing(std::string_view key, std::string expected) const {
+    const std::vector<std::string> wanted{std::string(key)};
+    for (const auto* layer : layers_) {
+        for (const auto& [present, node] : *layer) {
+            const bool known = std::find(asked_.begin(), asked_.end(), present.str()) != asked_.end();
+            if (known || !nearest(present.str(), wanted)) continue;
+            return error_at(present.source(), present.str(), "is not a known key", "", "",
+                            fmt::format("did you mean '{}'?", key));
+        }
+    }
+    return error(key, "is missing", "", std::move(expected));
 }
 
 double TomlTable::checked(std::string_view key, const toml::node& node, const Range& range) const {

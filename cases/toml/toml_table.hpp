@@ -60,6 +60,8 @@ class TomlTable {
     /// To be called after all keys were asked for. Throws for a key nobody asked for.
     void reject_unknown_keys() const;
 
+    /// For a key that is missing: says so, or points at the unknown key that was probably meant.
+    [[nodiscard]] CaseError missing(std::string_view key, std::string expected) const;
     [[nodiscard]] CaseError error(std::string_view key, std::string problem, std::string got,
                                   std::string expected, std::string hint = {}) const;
     [[nodiscard]] const std::string& file() const noexcept { return file_; }

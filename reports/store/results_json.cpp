@@ -19,7 +19,10 @@ json to_json(const measure::Results& results) {
     }
     json series = json::array();
     for (const auto& s : results.series) {
-        series.push_back({{"name", s.name}, {"columns", s.columns}, {"values", s.values}});
+        series.push_back({{"name", s.name},
+                          {"columns", s.columns},
+                          {"values", s.values},
+                          {"units", s.units}});
     }
     json snapshots = json::array();
     for (const auto& s : results.snapshots) {
@@ -42,8 +45,10 @@ measure::Results results_from_json(const json& document) {
                                         .settings = m.at("settings")});
     }
     for (const auto& s : document.at("series")) {
-        results.series.push_back(
-            {.name = s.at("name"), .columns = s.at("columns"), .values = s.at("values")});
+        results.series.push_back({.name = s.at("name"),
+                                  .columns = s.at("columns"),
+                                  .values = s.at("values"),
+                                  .units = s.at("units")});
     }
     for (const auto& s : document.at("snapshots")) {
         results.snapshots.push_back({.time = s.at("time"), .x = s.at("x"), .y = s.at("y")});

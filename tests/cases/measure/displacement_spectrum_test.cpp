@@ -42,6 +42,9 @@ BOOST_AUTO_TEST_CASE(exact_power_law_gives_its_exponent) {
         BOOST_TEST(spectrum[0] == small * small, tt::tolerance(1e-6));
         BOOST_TEST(spectrum[31] == small * small * std::pow(32, -5.0 / 3), tt::tolerance(1e-6));
     }
+    for (const double amplitude : column(results, "spectrum-fit", "amplitude")) {
+        BOOST_TEST(amplitude == small * small, tt::tolerance(1e-5));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(layers_are_counted_from_the_moving_bottom) {
@@ -112,7 +115,7 @@ BOOST_AUTO_TEST_CASE(white_displacements_have_a_flat_spectrum) {
         BOOST_TEST(get(results, "slope_" + group).standard_error < 0.1);
         // <S> = 64 cells of variance small^2; 200 periodograms per K know it to 7 %.
         const auto& spectrum = column(results, "spectrum", "S_" + group);
-        const auto& error = column(results, "spectrum", "stderr_" + group);
+        const auto& error = column(results, "spectrum", "err_" + group);
         BOOST_TEST(spectrum[10] == 64 * small * small, tt::tolerance(0.3));
         BOOST_TEST(error[10] == 0.07 * spectrum[10], tt::tolerance(0.5));
     }

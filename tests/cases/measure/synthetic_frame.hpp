@@ -51,17 +51,16 @@ inline const measure::Measurement* find(const measure::Results& results,
     return nullptr;
 }
 
-/// The measurement, which the test needs; fails the test if it is missing.
-inline const measure::Measurement& get(const measure::Results& results,
-                                       const std::string& observable) {
+/// A copy of the measurement, which the test needs; fails the test if it is missing.
+inline measure::Measurement get(const measure::Results& results, const std::string& observable) {
     const auto* found = find(results, observable);
     if (!found) throw std::runtime_error("no measurement '" + observable + "'");
     return *found;
 }
 
-/// One column of a series; fails the test if it is missing.
-inline const std::vector<double>& column(const measure::Results& results, const std::string& series,
-                                         const std::string& name) {
+/// A copy of one column of a series; fails the test if it is missing.
+inline std::vector<double> column(const measure::Results& results, const std::string& series,
+                                  const std::string& name) {
     for (const auto& one : results.series) {
         for (std::size_t c = 0; c < one.columns.size(); ++c) {
             if (one.name == series && one.columns[c] == name) return one.values[c];

@@ -1,0 +1,56 @@
+// Protects the catalogue: every oracle, code and observable named by a shipped case exists, and the
+// oracles give the known numbers for the shipped scenes.
+#include "app/catalogue.hpp"
+#include "native/base/errors.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace crossgrain;
+
+namespace {
+
+const std::string catalogue = CROSSGRAIN_SOURCE_DIR "/cases/catalog";
+
+catalog::Case shipped(const std::string& name) {
+    return catalog::find_case(catalogue, name, catalog::Suite::full);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(shipped_cases_name_only_what_exists) {
+    for (const auto& name : catalog::case_names(catalogue)) {
+        const auto the_case = shipped(name);
+        BOOST_CHECK_NO_THROW(app::check_names(the_case));
+        for (const auto& check : the_case.checks) {
+            if (check.kind != catalog::CheckKind::exact) continue;
+            const auto scene = the_case.scene(0, 0, 1);
+            const bool known = app::exact_value(check.against, scene).has_value();
+            BOOST_TEST(known, name << ": " << check.against);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(restitution_of_the_shipped_variants) {
+    const auto the_case = shipped("collision-normal");
+    const auto value = [&](std::size_t variant) {
+        return app::exact_value("analytic:restitution", the_case.scene(variant, 0, 1)).value();
+    };
+    // full: by construction; clipped: 0.80809934 head-on for e = 0.8; frozen: mu = m instead of m/2.
+    BOOST_TEST(value(0) == 0.8, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(value(1) == 0.80809934, boost::test_tools::tolerance(1e-8));
+    BOOST_TEST(value(2) == value(1), boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(value(3) > value(0));
+}
+
+BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_a_hint) {
+    const auto is_hint = [](const CaseError& error) {
+        return !error.details().hint.empty() && !error.details().expected.empty();
+    };
+    BOOST_CHECK_EXCEPTION((void)app::select_codes({"lamps"}), CaseError, is_hint);
+    auto the_case = shipped("gas-parity");
+    the_case.observables[0].name = "trajectori";
+    BOOST_CHECK_EXCEPTION(app::check_names(the_case), CaseError, is_hint);
+    the_case = shipped("gas-parity");
+    the_case.checks[0].limit_for["yad"] = 1;
+    BOOST_CHECK_EXCEPTION(app::check_names(the_case), CaseError, is_hint);
+}
