@@ -34,7 +34,7 @@ struct RunOptions {
 };
 
 struct RunCost {
-    double cpu_s = 0;   ///< user + system, all processes and threads of the run
+    double cpu_s = 0;  ///< user + system, all processes and threads of the run
     double wall_s = 0;
 };
 

@@ -44,8 +44,7 @@ void check_names(const catalog::Case& the_case);
 
 /// The exact value for a scene, e.g. "analytic:restitution". Nothing if the name is not known or
 /// the closed form does not hold for this scene.
-[[nodiscard]] std::optional<double> exact_value(const std::string& name,
-                                                const scene::Scene& scene);
+[[nodiscard]] std::optional<double> exact_value(const std::string& name, const scene::Scene& scene);
 [[nodiscard]] std::vector<std::string> oracle_names();
 
 }  // namespace crossgrain::app

@@ -32,7 +32,8 @@ namespace {
 /// Throws CaseError unless the code exists. `where` says which file and key named it, if any.
 void require_code(const std::string& name, CaseErrorDetails where) {
     std::vector<std::string> known;
-    for (const auto& code : codes()) known.push_back(code->name());
+    for (const auto& code : codes())
+        known.push_back(code->name());
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
     const auto near = toml_input::nearest(name, known);
     where.problem = where.key.empty() ? "unknown code" : "names an unknown code";
@@ -49,14 +50,16 @@ void check_names(const catalog::Case& the_case) {
     const auto require = [&](const std::string& name, int line, const char* key) {
         require_code(name, {.file = the_case.file, .line = line, .key = key});
     };
-    for (const auto& [name, count] : the_case.replicas.by_code) require(name, 0, "replicas");
+    for (const auto& [name, count] : the_case.replicas.by_code)
+        require(name, 0, "replicas");
     for (const auto& variant : the_case.variants) {
         for (const auto& name : variant.not_expressible_in) {
             require(name, 0, "variant.not_expressible_in");
         }
     }
     for (const auto& check : the_case.checks) {
-        for (const auto& name : check.codes) require(name, check.line, "check.codes");
+        for (const auto& name : check.codes)
+            require(name, check.line, "check.codes");
         for (const auto& [name, limit] : check.limit_for) {
             require(name, check.line, "check.limit_for");
         }
@@ -67,7 +70,8 @@ void check_names(const catalog::Case& the_case) {
 }
 
 std::vector<const adapters::Code*> select_codes(const std::vector<std::string>& names) {
-    for (const auto& name : names) require_code(name, {});
+    for (const auto& name : names)
+        require_code(name, {});
     std::vector<const adapters::Code*> selected;
     for (const auto& code : codes()) {
         if (names.empty() || std::find(names.begin(), names.end(), code->name()) != names.end()) {

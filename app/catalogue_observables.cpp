@@ -36,8 +36,7 @@ EstimatorPointer make_trajectory(const Scene& scene, const ObservableRequest& re
             times.push_back(count * scene::contact_time(scene));
         }
     }
-    return std::make_unique<measure::Trajectory>(scene,
-                                                 measure::TrajectoryOptions{.times = times});
+    return std::make_unique<measure::Trajectory>(scene, measure::TrajectoryOptions{.times = times});
 }
 
 EstimatorPointer make_lid_height(const Scene& scene, const ObservableRequest& request) {
@@ -51,11 +50,11 @@ EstimatorPointer make_energy_balance(const Scene& scene, const ObservableRequest
 }
 
 EstimatorPointer make_displacement_spectrum(const Scene& scene, const ObservableRequest& request) {
-    measure::DisplacementSpectrumOptions options{
-        .spacing = number_or(request, "spacing", 0),
-        .crossing = number_or(request, "downward", 0) != 0 ? measure::Crossing::downward
-                                                           : measure::Crossing::upward,
-        .skip = number_or(request, "skip", 0)};
+    measure::DisplacementSpectrumOptions options{.spacing = number_or(request, "spacing", 0),
+                                                 .crossing = number_or(request, "downward", 0) != 0
+                                                                 ? measure::Crossing::downward
+                                                                 : measure::Crossing::upward,
+                                                 .skip = number_or(request, "skip", 0)};
     options.k_min = static_cast<int>(number_or(request, "k_min", options.k_min));
     options.k_max = static_cast<int>(number_or(request, "k_max", options.k_max));
     return std::make_unique<measure::DisplacementSpectrum>(scene, options);
@@ -114,7 +113,8 @@ const std::vector<ObservableEntry>& observables() {
          "plate_restitution, plate_contact_time, plate_momentum_error of isolated grains",
          {},
          make_plain<measure::PlateBounce>},
-        {"trajectory", "positions at given times, compared between codes",
+        {"trajectory",
+         "positions at given times, compared between codes",
          {"at_contact_times"},
          make_trajectory},
         {"momentum", "momentum_drift_x, momentum_drift_y", {}, make_plain<measure::Momentum>},

@@ -29,7 +29,8 @@ analytic::ObliqueContact contact_of(const Scene& scene) {
             .clipping = static_cast<analytic::Clipping>(scene.contact.clipping)};
 }
 
-static_assert(static_cast<int>(analytic::Clipping::none) == static_cast<int>(scene::Clipping::none));
+static_assert(static_cast<int>(analytic::Clipping::none) ==
+              static_cast<int>(scene::Clipping::none));
 static_assert(static_cast<int>(analytic::Clipping::all) == static_cast<int>(scene::Clipping::all));
 static_assert(static_cast<int>(analytic::Clipping::normal_only) ==
               static_cast<int>(scene::Clipping::normal_only));
@@ -54,10 +55,10 @@ analytic::ObliqueCollision pair_collision(const Scene& scene) {
         const auto attraction = contact.clipping == analytic::Clipping::none
                                     ? analytic::Attraction::kept
                                     : analytic::Attraction::cut;
-        const auto exact = analytic::normal_collision(
-            {.stiffness = contact.stiffness, .damping = contact.damping,
-             .reduced_mass = contact.reduced_mass},
-            attraction);
+        const auto exact = analytic::normal_collision({.stiffness = contact.stiffness,
+                                                       .damping = contact.damping,
+                                                       .reduced_mass = contact.reduced_mass},
+                                                      attraction);
         analytic::ObliqueCollision result;
         result.restitution = exact.restitution;
         result.contact_time = exact.contact_time;
@@ -109,7 +110,8 @@ std::optional<double> exact_value(const std::string& name, const Scene& scene) {
 
 std::vector<std::string> oracle_names() {
     std::vector<std::string> names;
-    for (const auto& [name, oracle] : oracles()) names.push_back(name);
+    for (const auto& [name, oracle] : oracles())
+        names.push_back(name);
     return names;
 }
 

@@ -28,9 +28,9 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out);
 /// A dump made elsewhere, measured as the run `name` of a case.
 struct ReadRequest {
     std::filesystem::path dump;
-    std::string name;       ///< of the code that made it
-    std::string variant;    ///< empty: the first
-    std::size_t rung = 1;   ///< which time step of a ladder, from 1
+    std::string name;      ///< of the code that made it
+    std::string variant;   ///< empty: the first
+    std::size_t rung = 1;  ///< which time step of a ladder, from 1
 };
 int read_dump(const Settings& settings, const ReadRequest& request);
 

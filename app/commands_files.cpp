@@ -51,7 +51,8 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
     const scene::Scene scene = the_case.scene(variant, request.rung - 1, seed);
     const auto estimators = make_estimators(the_case, scene);
     scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
-        for (const auto& estimator : estimators) estimator->add(frame);
+        for (const auto& estimator : estimators)
+            estimator->add(frame);
     });
     store::RunRecord record{.case_name = the_case.name,
                             .variant = the_case.variants[variant].name,
@@ -64,7 +65,8 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
     try {
         adapters::dump::read_dump_file(request.dump, scene, std::ref(guard));
         guard.finish();
-        for (const auto& estimator : estimators) estimator->finish(record.results);
+        for (const auto& estimator : estimators)
+            estimator->finish(record.results);
         record.status = "ok";
     } catch (const TrajectoryError& error) {
         record.status = "run_failed";

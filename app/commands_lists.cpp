@@ -41,7 +41,8 @@ int list_cases(const Settings& settings) {
     for (const auto& name : catalog::case_names(directory)) {
         const auto found = catalog::find_case(directory, name, settings.suite);
         nlohmann::json variants = nlohmann::json::array();
-        for (const auto& variant : found.variants) variants.push_back(variant.name);
+        for (const auto& variant : found.variants)
+            variants.push_back(variant.name);
         list.push_back({{"case", found.name},
                         {"title", found.title},
                         {"source", found.source},
@@ -67,9 +68,9 @@ int list_observables(const Settings& settings) {
         table.add({entry.name, entry.measures, fmt::format("{}", fmt::join(entry.options, ", "))});
     }
     if (settings.json) {
-        fmt::print("{}\n",
-                   nlohmann::json{{"observables", std::move(list)}, {"oracles", oracle_names()}}
-                       .dump(2));
+        fmt::print(
+            "{}\n",
+            nlohmann::json{{"observables", std::move(list)}, {"oracles", oracle_names()}}.dump(2));
     } else {
         fmt::print("{}\noracles: {}\n", table.text(0), fmt::join(oracle_names(), ", "));
     }

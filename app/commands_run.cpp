@@ -26,8 +26,7 @@ int close_session(const SessionReport& report, const Settings& settings) {
                    report.store_error);
     }
     if (report.interrupted) {
-        fmt::print(stderr,
-                   "interrupted: {} runs are stored; the same command goes on from there\n",
+        fmt::print(stderr, "interrupted: {} runs are stored; the same command goes on from there\n",
                    report.computed + report.from_store);
     }
     if (!settings.quiet) {
@@ -42,7 +41,8 @@ void print_cases(const SessionReport& report, const Settings& settings) {
         fmt::print("{}\n", cases_document(report).dump(2));
         return;
     }
-    for (const auto& item : report.cases) fmt::print("{}\n", case_table(item));
+    for (const auto& item : report.cases)
+        fmt::print("{}\n", case_table(item));
     fmt::print("{}\n{}", verdict_table(report), exceptions_list(report));
 }
 

@@ -87,12 +87,16 @@ json verdict_json(const compare::Verdict& v) {
 
 json case_json(const CaseReport& item) {
     json runs = json::array();
-    for (const auto& run : item.runs.records()) runs.push_back(run_json(run));
+    for (const auto& run : item.runs.records())
+        runs.push_back(run_json(run));
     json measurements = json::array();
-    for (const auto& m : item.evaluation.measurements) measurements.push_back(measurement_json(m));
-    for (const auto& curve : item.evaluation.curves) measurements.push_back(order_json(curve));
+    for (const auto& m : item.evaluation.measurements)
+        measurements.push_back(measurement_json(m));
+    for (const auto& curve : item.evaluation.curves)
+        measurements.push_back(order_json(curve));
     json verdicts = json::array();
-    for (const auto& v : item.evaluation.verdicts) verdicts.push_back(verdict_json(v));
+    for (const auto& v : item.evaluation.verdicts)
+        verdicts.push_back(verdict_json(v));
     return {{"case", item.the_case->name},
             {"runs", std::move(runs)},
             {"measurements", std::move(measurements)},
@@ -140,12 +144,9 @@ json series_json(const CaseReport& item) {
         if (run.status != "ok" || run.replica != 0) continue;
         for (const auto& series : run.results.series) {
             if (series.name == "collisions") continue;
-            json entry{{"code", run.code},
-                       {"variant", run.variant},
-                       {"replica", run.replica},
-                       {"name", series.name},
-                       {"columns", series.columns},
-                       {"values", series.values}};
+            json entry{{"code", run.code},          {"variant", run.variant},
+                       {"replica", run.replica},    {"name", series.name},
+                       {"columns", series.columns}, {"values", series.values}};
             if (!series.units.empty()) entry["units"] = series.units;
             all.push_back(std::move(entry));
         }
@@ -179,14 +180,16 @@ json codes_document() {
 
 json cases_document(const SessionReport& report) {
     json cases = json::array();
-    for (const auto& item : report.cases) cases.push_back(case_json(item));
+    for (const auto& item : report.cases)
+        cases.push_back(case_json(item));
     return {{"cases", std::move(cases)}};
 }
 
 json certificate_document(const SessionReport& report) {
     json pairs = json::array();
     for (const auto& item : report.cases) {
-        for (const auto& pair : item.evaluation.certificate) pairs.push_back(pair_json(pair));
+        for (const auto& pair : item.evaluation.certificate)
+            pairs.push_back(pair_json(pair));
     }
     return {{"length_unit", "reduced units"}, {"pairs", std::move(pairs)}};
 }

@@ -12,10 +12,14 @@ using compare::Outcome;
 
 compare::Kind kind_of(catalog::CheckKind kind) {
     switch (kind) {
-    case catalog::CheckKind::exact: return compare::Kind::exact;
-    case catalog::CheckKind::parity: return compare::Kind::parity;
-    case catalog::CheckKind::agree: return compare::Kind::agree;
-    case catalog::CheckKind::published: break;
+    case catalog::CheckKind::exact:
+        return compare::Kind::exact;
+    case catalog::CheckKind::parity:
+        return compare::Kind::parity;
+    case catalog::CheckKind::agree:
+        return compare::Kind::agree;
+    case catalog::CheckKind::published:
+        break;
     }
     return compare::Kind::published;
 }
@@ -30,12 +34,12 @@ void collect_measurements(const CaseRuns& runs, Evaluation& evaluation) {
                 const double dt = the_case.scene(variant, rung, first->seed).dt;
                 for (const auto& m : first->results.measurements) {
                     if (auto all = runs.combined(code, variant, rung, m.observable)) {
-                        evaluation.measurements.push_back({.code = code,
-                                                           .variant =
-                                                               the_case.variants[variant].name,
-                                                           .rung = rung,
-                                                           .dt = dt,
-                                                           .combined = std::move(*all)});
+                        evaluation.measurements.push_back(
+                            {.code = code,
+                             .variant = the_case.variants[variant].name,
+                             .rung = rung,
+                             .dt = dt,
+                             .combined = std::move(*all)});
                     }
                 }
             }
@@ -102,8 +106,8 @@ void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t var
         verdict.reason += (reason.empty() ? "" : "; ") + ("expected: " + check.expect_reason);
     }
     if (outcome == Outcome::agree && !verdict.expected) {
-        verdict.reason = "agrees although the catalogue records '" + wanted +
-                         "' (" + check.expect_reason + "): update the catalogue";
+        verdict.reason = "agrees although the catalogue records '" + wanted + "' (" +
+                         check.expect_reason + "): update the catalogue";
     }
 }
 
@@ -112,9 +116,15 @@ Evaluation evaluate(const CaseRuns& runs, const published::PublishedValues& lite
     collect_measurements(runs, evaluation);
     for (const auto& check : runs.the_case().checks) {
         switch (check.kind) {
-        case catalog::CheckKind::exact: evaluate_exact(runs, check, evaluation); break;
-        case catalog::CheckKind::parity: evaluate_parity(runs, check, evaluation); break;
-        case catalog::CheckKind::agree: evaluate_agree(runs, check, evaluation); break;
+        case catalog::CheckKind::exact:
+            evaluate_exact(runs, check, evaluation);
+            break;
+        case catalog::CheckKind::parity:
+            evaluate_parity(runs, check, evaluation);
+            break;
+        case catalog::CheckKind::agree:
+            evaluate_agree(runs, check, evaluation);
+            break;
         case catalog::CheckKind::published:
             evaluate_published(runs, check, literature, evaluation);
             break;

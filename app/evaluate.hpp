@@ -32,9 +32,9 @@ struct CertificatePair {
     std::string case_name, a, b;
     double contact_time = 0;
     double diameter = 0;
-    std::map<std::string, double> max_dx;   ///< by contact times, e.g. "10"
-    std::map<std::string, double> limits;   ///< of max_dx, where a check states one
-    std::map<std::string, double> max_dh;   ///< lid height, by time window, e.g. "0-6"
+    std::map<std::string, double> max_dx;  ///< by contact times, e.g. "10"
+    std::map<std::string, double> limits;  ///< of max_dx, where a check states one
+    std::map<std::string, double> max_dh;  ///< lid height, by time window, e.g. "0-6"
     std::map<std::string, double> limits_dh;
     compare::Outcome outcome = compare::Outcome::undecided;
     bool expected = true;
@@ -55,7 +55,8 @@ struct Evaluation {
     std::vector<CertificatePair> certificate;
 };
 
-[[nodiscard]] Evaluation evaluate(const CaseRuns& runs, const published::PublishedValues& literature);
+[[nodiscard]] Evaluation evaluate(const CaseRuns& runs,
+                                  const published::PublishedValues& literature);
 
 // The parts, one per kind of check. Each appends to the evaluation.
 void evaluate_exact(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);

@@ -49,13 +49,20 @@ void add_snapshots(const CaseRuns& runs, std::size_t variant, CertificatePair& p
 /// Worst first: a certificate is as good as its worst part.
 int severity(Outcome outcome) {
     switch (outcome) {
-    case Outcome::agree: return 0;
-    case Outcome::not_expressible: return 1;
-    case Outcome::not_installed: return 2;
-    case Outcome::no_reference: return 3;
-    case Outcome::undecided: return 4;
-    case Outcome::run_failed: return 5;
-    case Outcome::disagree: return 6;
+    case Outcome::agree:
+        return 0;
+    case Outcome::not_expressible:
+        return 1;
+    case Outcome::not_installed:
+        return 2;
+    case Outcome::no_reference:
+        return 3;
+    case Outcome::undecided:
+        return 4;
+    case Outcome::run_failed:
+        return 5;
+    case Outcome::disagree:
+        return 6;
     }
     return 6;
 }
@@ -65,9 +72,7 @@ void add_check(const catalog::Check& check, const compare::Verdict& verdict,
     if (check.at_contact_times) {
         pair.limits[fmt::format("{:g}", *check.at_contact_times)] = verdict.limit;
     } else {
-        const bool measured =
-            verdict.outcome == Outcome::agree || verdict.outcome == Outcome::disagree;
-        if (measured) pair.max_dh[window_name(check)] = verdict.difference;
+        if (!std::isnan(verdict.difference)) pair.max_dh[window_name(check)] = verdict.difference;
         pair.limits_dh[window_name(check)] = verdict.limit;
     }
     pair.expected = pair.expected && verdict.expected;

@@ -95,7 +95,8 @@ compare::Rung pool(const std::vector<compare::Rung>& rungs) {
 /// Largest time step first.
 std::vector<compare::Rung> pooled_rungs(const std::vector<Deviation>& deviations) {
     std::vector<compare::Rung> single;
-    for (const auto& deviation : deviations) single.push_back(rung_of(deviation));
+    for (const auto& deviation : deviations)
+        single.push_back(rung_of(deviation));
     std::sort(single.begin(), single.end(),
               [](const auto& a, const auto& b) { return a.dt > b.dt; });
     std::vector<compare::Rung> pooled;

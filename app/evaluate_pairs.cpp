@@ -131,8 +131,7 @@ void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluati
                   [&](std::size_t variant, const std::string& a, const std::string& b,
                       compare::Verdict& verdict) {
                       if (const std::string place = place_of(check); !place.empty()) {
-                          verdict.setting +=
-                              (verdict.setting.empty() ? "" : ", ") + place;
+                          verdict.setting += (verdict.setting.empty() ? "" : ", ") + place;
                       }
                       const auto difference = variant_difference(runs, check, variant, a, b);
                       if (!difference) {

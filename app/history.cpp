@@ -17,9 +17,9 @@ void judge(HistorySeries& series) {
     const auto& newest = series.points.back();
     const auto earlier = static_cast<std::ptrdiff_t>(series.points.size()) - 1;
     if (earlier < 2) return;
-    const auto [low, high] = std::minmax_element(
-        series.points.begin(), series.points.begin() + earlier,
-        [](const auto& a, const auto& b) { return a.value < b.value; });
+    const auto [low, high] =
+        std::minmax_element(series.points.begin(), series.points.begin() + earlier,
+                            [](const auto& a, const auto& b) { return a.value < b.value; });
     series.low = low->value;
     series.high = high->value;
     series.allowance = allowance(newest);
@@ -31,9 +31,9 @@ void judge(HistorySeries& series) {
 }  // namespace
 
 std::vector<HistorySeries> history_of(std::vector<store::HistoryPoint> points) {
-    std::map<std::tuple<std::string, std::string, std::string, std::uint64_t, std::string,
-                        std::string>,
-             std::vector<store::HistoryPoint>>
+    std::map<
+        std::tuple<std::string, std::string, std::string, std::uint64_t, std::string, std::string>,
+        std::vector<store::HistoryPoint>>
         groups;
     for (auto& point : points) {
         groups[{point.case_name, point.variant, point.settings_json, point.seed, point.code,
@@ -58,9 +58,12 @@ std::vector<HistorySeries> history_of(std::vector<store::HistoryPoint> points) {
 
 std::string to_string(Drift drift) {
     switch (drift) {
-    case Drift::in_band: return "in_band";
-    case Drift::left_band: return "left_band";
-    case Drift::too_few: return "too_few";
+    case Drift::in_band:
+        return "in_band";
+    case Drift::left_band:
+        return "left_band";
+    case Drift::too_few:
+        return "too_few";
     }
     return {};
 }

@@ -55,7 +55,8 @@ struct Arguments {
 void add_selection(CLI::App& command, Arguments& arguments) {
     Settings& s = arguments.settings;
     command.add_option("CASE", s.cases, "cases by name or path of a case file (default: all)");
-    command.add_option("--code", s.codes, "only this code (may be repeated)")->allow_extra_args(false);
+    command.add_option("--code", s.codes, "only this code (may be repeated)")
+        ->allow_extra_args(false);
     command.add_option("--replicas", s.replicas, "runs per code, each with its own seed")
         ->check(CLI::PositiveNumber);
     command.add_option("--seed", s.seed, "seed of the first replica")->capture_default_str();
@@ -85,7 +86,8 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     };
     add("codes", "codes on this machine, their versions and what each can express",
         [](Arguments& x, auto) { return app::list_codes(x.settings); });
-    add("cases", "cases of the catalogue", [](Arguments& x, auto) { return app::list_cases(x.settings); });
+    add("cases", "cases of the catalogue",
+        [](Arguments& x, auto) { return app::list_cases(x.settings); });
     add("observables", "what can be measured, and the exact values there are",
         [](Arguments& x, auto) { return app::list_observables(x.settings); });
     auto* run = add("run", "run cases and judge them", [](Arguments& x, std::stop_token stop) {
@@ -102,7 +104,9 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
         x.settings.cases.pop_back();
         return app::read_dump(x.settings, x.read);
     });
-    read->add_option("CASE PATH", a.settings.cases, "the case, and the dump")->required()->expected(2);
+    read->add_option("CASE PATH", a.settings.cases, "the case, and the dump")
+        ->required()
+        ->expected(2);
     read->add_option("--code", a.read.name, "name of the code that made it")->required();
     read->add_option("--variant", a.read.variant, "variant of the case (default: the first)");
     read->add_option("--rung", a.read.rung, "which time step of a ladder, from 1");
@@ -135,9 +139,8 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
 void refuse_future_commands(int argc, char** argv) {
     constexpr std::array<std::string_view, 6> future{"chart", "stability",   "advise",
                                                      "bench", "regressions", "selftest"};
-    const auto* command = std::find_if(argv + 1, argv + argc, [](const char* word) {
-        return word[0] != '-';
-    });
+    const auto* command =
+        std::find_if(argv + 1, argv + argc, [](const char* word) { return word[0] != '-'; });
     if (command == argv + argc) return;
     if (std::find(future.begin(), future.end(), *command) == future.end()) return;
     throw CaseError({.problem = fmt::format("'{}' is not part of this version", *command),

@@ -20,7 +20,8 @@ std::string sha256(const std::string& text) {
         throw std::runtime_error("SHA-256 is not available in libcrypto");
     }
     std::string hex;
-    for (unsigned i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+    for (unsigned i = 0; i < length; ++i)
+        hex += fmt::format("{:02x}", digest[i]);
     return hex;
 }
 
@@ -54,7 +55,9 @@ void settle_without_running(PlannedRun& run, const adapters::Availability& avail
 
 PlannedRun planned_run(const catalog::Case& the_case, const adapters::Code& code,
                        std::shared_ptr<const scene::Scene> scene, const Settings& settings) {
-    PlannedRun run{.owner = &the_case, .code = &code, .scene = std::move(scene),
+    PlannedRun run{.owner = &the_case,
+                   .code = &code,
+                   .scene = std::move(scene),
                    .time_limit = settings.time_limit.value_or(the_case.time_limit)};
     run.record.case_name = the_case.name;
     run.record.code = code.name();
@@ -76,7 +79,8 @@ std::string run_key(const PlannedRun& run) {
                             {"code", run.code->name()},
                             {"version", run.record.version},
                             {"program", program_version()}};
-    for (const auto& file : run.code->input(unnamed)) identity["input"][file.name] = file.text;
+    for (const auto& file : run.code->input(unnamed))
+        identity["input"][file.name] = file.text;
     return sha256(identity.dump());
 }
 

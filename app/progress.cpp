@@ -21,7 +21,9 @@ Progress::Progress(bool quiet, std::size_t runs, double total_work)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), runs_(runs), total_work_(total_work),
       start_(Clock::now()), drawn_(start_) {}
 
-Progress::~Progress() { clear_line(); }
+Progress::~Progress() {
+    clear_line();
+}
 
 void Progress::advanced(const std::string& run, double work, double fraction) {
     const std::lock_guard lock(mutex_);
@@ -46,7 +48,8 @@ void Progress::finished(const std::string& run, double work, const std::string& 
 
 double Progress::work_done() const {
     double done = ended_work_;
-    for (const auto& [run, work] : running_work_) done += work;
+    for (const auto& [run, work] : running_work_)
+        done += work;
     return done;
 }
 
@@ -57,7 +60,8 @@ void Progress::redraw() {
     constexpr int width = 30;
     const int filled = static_cast<int>(fraction * width);
     std::string names;
-    for (const auto& [run, work] : running_work_) names += " " + run;
+    for (const auto& [run, work] : running_work_)
+        names += " " + run;
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}/{} runs, {} left{:.60}", "", filled, "",
                width - filled, ended_, runs_,
                fraction > 0.01 ? duration_text(elapsed * (1 - fraction) / fraction) : "?", names);

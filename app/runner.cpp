@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 #include <numeric>
 #include <thread>
@@ -21,6 +22,17 @@ std::string label(const PlannedRun& run) {
     std::string text = fmt::format("{} {}", run.scene->name, run.record.code);
     if (run.replica > 0) text += fmt::format(" #{}", run.replica + 1);
     return text;
+}
+
+/// A number that is none must not reach a verdict: the run has not delivered.
+void require_finite(const store::RunRecord& record) {
+    for (const auto& m : record.results.measurements) {
+        if (std::isfinite(m.value) && std::isfinite(m.standard_error) &&
+            std::isfinite(m.systematic))
+            continue;
+        throw TrajectoryError(fmt::format("{}: '{}' came out as {} +- {}", record.code,
+                                          m.observable, m.value, m.standard_error));
+    }
 }
 
 std::string directory_name(const PlannedRun& run) {
@@ -86,7 +98,8 @@ RunSummary Runner::carry_out(bool compute) {
         }
     }
     summary_.interrupted = stop_.stop_requested();
-    for (auto& run : runs_) summary_.records.push_back(std::move(run.record));
+    for (auto& run : runs_)
+        summary_.records.push_back(std::move(run.record));
     return std::move(summary_);
 }
 
@@ -113,12 +126,11 @@ void Runner::compute_missing() {
     // The longest runs first, and of equal ones the codes at the end of the catalogue, which are
     // the slowest: so that no processor is left with one long run at the end.
     std::reverse(waiting_.begin(), waiting_.end());
-    std::stable_sort(waiting_.begin(), waiting_.end(), [](const auto* a, const auto* b) {
-        return a->record.work > b->record.work;
-    });
-    const double work = std::accumulate(
-        waiting_.begin(), waiting_.end(), 0.0,
-        [](double sum, const auto* run) { return sum + run->record.work; });
+    std::stable_sort(waiting_.begin(), waiting_.end(),
+                     [](const auto* a, const auto* b) { return a->record.work > b->record.work; });
+    const double work =
+        std::accumulate(waiting_.begin(), waiting_.end(), 0.0,
+                        [](double sum, const auto* run) { return sum + run->record.work; });
     Progress progress(settings_.quiet, waiting_.size(), work);
     const unsigned jobs =
         settings_.jobs > 0 ? settings_.jobs : std::max(1U, std::thread::hardware_concurrency());
@@ -167,7 +179,8 @@ void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& p
     const double steps = static_cast<double>(run.scene->steps);
     const std::string name = label(run);
     const auto sink = [&](const scene::Frame& frame) {
-        for (const auto& estimator : estimators) estimator->add(frame);
+        for (const auto& estimator : estimators)
+            estimator->add(frame);
         progress.advanced(name, run.record.work, static_cast<double>(frame.step) / steps);
     };
     const adapters::RunCost cost = run.code->run(*run.scene,
@@ -176,7 +189,9 @@ void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& p
                                                   .stop = stop_,
                                                   .keep_dump = settings_.keep_dumps},
                                                  sink);
-    for (const auto& estimator : estimators) estimator->finish(run.record.results);
+    for (const auto& estimator : estimators)
+        estimator->finish(run.record.results);
+    require_finite(run.record);
     run.record.cpu_s = cost.cpu_s;
     run.record.wall_s = cost.wall_s;
 }

@@ -14,11 +14,10 @@ namespace {
 
 void record(const SessionReport& report, const Settings& settings, store::Store& store) {
     const Machine machine = this_machine();
-    const auto entry =
-        store.begin_entry({.command = settings.command,
-                           .version = program_version(),
-                           .machine = fmt::format("{}, {} cores, {}", machine.cpu, machine.cores,
-                                                  machine.os)});
+    const auto entry = store.begin_entry(
+        {.command = settings.command,
+         .version = program_version(),
+         .machine = fmt::format("{}, {} cores, {}", machine.cpu, machine.cores, machine.os)});
     for (const auto& item : report.cases) {
         store.add_verdicts(entry, item.the_case->name, item.evaluation.verdicts);
     }
@@ -33,9 +32,9 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
     const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;
     for (const auto& name : names) {
         auto found = catalog::find_case(directory, name, settings.suite);
-        const bool wanted = !settings.cases.empty() ||
-                            std::find(found.suites.begin(), found.suites.end(), suite) !=
-                                found.suites.end();
+        const bool wanted =
+            !settings.cases.empty() ||
+            std::find(found.suites.begin(), found.suites.end(), suite) != found.suites.end();
         if (!wanted) continue;
         check_names(found);
         cases.push_back(std::make_shared<const catalog::Case>(std::move(found)));

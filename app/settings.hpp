@@ -16,15 +16,15 @@ struct Settings {
     bool json = false;
     bool quiet = false;
     catalog::Suite suite = catalog::Suite::full;
-    std::vector<std::string> cases;         ///< empty: all of the suite
-    std::vector<std::string> codes;         ///< empty: all
-    std::optional<std::int64_t> replicas;   ///< overrides the case
-    std::uint64_t seed = 1;                 ///< of the first replica
-    unsigned jobs = 0;                      ///< runs side by side; 0: one per processor
-    bool fresh = false;                     ///< compute again what the store already has
-    std::optional<double> time_limit;       ///< wall seconds per run, overrides the case
-    bool keep_dumps = false;                ///< write trajectories to <results>/runs/...
-    std::string command;                    ///< as typed, for the report
+    std::vector<std::string> cases;        ///< empty: all of the suite
+    std::vector<std::string> codes;        ///< empty: all
+    std::optional<std::int64_t> replicas;  ///< overrides the case
+    std::uint64_t seed = 1;                ///< of the first replica
+    unsigned jobs = 0;                     ///< runs side by side; 0: one per processor
+    bool fresh = false;                    ///< compute again what the store already has
+    std::optional<double> time_limit;      ///< wall seconds per run, overrides the case
+    bool keep_dumps = false;               ///< write trajectories to <results>/runs/...
+    std::string command;                   ///< as typed, for the report
 };
 
 /// Directory with catalog/, published/ and web/: $CROSSGRAIN_SHARE, or share/crossgrain next to the

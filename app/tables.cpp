@@ -39,9 +39,8 @@ std::string measurement_table(const CaseReport& item) {
             cells[{name, m.code}] = value_text(m.combined.measurement);
         }
         for (const auto& name : observables) {
-            std::vector<std::string> row{variant.name.empty()
-                                             ? name
-                                             : fmt::format("{} [{}]", name, variant.name)};
+            std::vector<std::string> row{
+                variant.name.empty() ? name : fmt::format("{} [{}]", name, variant.name)};
             for (const auto& code : codes) {
                 const auto cell = cells.find({name, code});
                 row.push_back(cell == cells.end() ? "-" : cell->second);
@@ -58,10 +57,12 @@ bool is_pair(const Verdict& v) {
 
 std::string counts_text(const std::vector<const Verdict*>& group) {
     std::map<Outcome, int> counts;
-    for (const auto* v : group) ++counts[v->outcome];
+    for (const auto* v : group)
+        ++counts[v->outcome];
     std::string text;
     for (const auto& [outcome, count] : counts) {
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, compare::to_string(outcome));
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "" : ", ", count, compare::to_string(outcome));
     }
     return text;
 }
@@ -69,10 +70,7 @@ std::string counts_text(const std::vector<const Verdict*>& group) {
 std::string worst_text(const std::vector<const Verdict*>& group) {
     const Verdict* worst = nullptr;
     for (const auto* v : group) {
-        if (v->outcome != Outcome::agree && v->outcome != Outcome::disagree &&
-            !(v->outcome == Outcome::undecided && v->uncertainty > 0)) {
-            continue;
-        }
+        if (std::isnan(v->difference)) continue;
         if (worst == nullptr || std::abs(v->difference) > std::abs(worst->difference)) worst = v;
     }
     if (worst == nullptr) return "-";
@@ -158,7 +156,8 @@ std::string certificate_table(const SessionReport& report) {
     for (const auto& item : report.cases) {
         for (const auto& pair : item.evaluation.certificate) {
             std::vector<std::pair<double, double>> by_time;
-            for (const auto& [time, dx] : pair.max_dx) by_time.emplace_back(std::stod(time), dx);
+            for (const auto& [time, dx] : pair.max_dx)
+                by_time.emplace_back(std::stod(time), dx);
             std::sort(by_time.begin(), by_time.end());
             std::string dx_text;
             for (const auto& [time, dx] : by_time) {
@@ -199,8 +198,8 @@ std::string exceptions_list(const SessionReport& report) {
 }
 
 std::string history_table(const std::vector<HistorySeries>& history) {
-    TextTable table({"case", "variant", "code", "observable", "values", "newest", "earlier band",
-                     "status"});
+    TextTable table(
+        {"case", "variant", "code", "observable", "values", "newest", "earlier band", "status"});
     for (const auto& series : history) {
         const auto& newest = series.points.back();
         table.add({series.case_name, series.variant.empty() ? "-" : series.variant, series.code,

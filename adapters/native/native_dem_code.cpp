@@ -34,36 +34,38 @@ dem::MovingPlate moving_plate(const scene::PrescribedPlate& plate) {
 
 dem::AttractiveTail tail(scene::Clipping clipping) {
     switch (clipping) {
-    case scene::Clipping::none: break;
-    case scene::Clipping::all: return dem::AttractiveTail::contact_force_cut;
-    case scene::Clipping::normal_only: return dem::AttractiveTail::normal_force_cut;
+    case scene::Clipping::none:
+        break;
+    case scene::Clipping::all:
+        return dem::AttractiveTail::contact_force_cut;
+    case scene::Clipping::normal_only:
+        return dem::AttractiveTail::normal_force_cut;
     }
     return dem::AttractiveTail::kept;
 }
 
 dem::Parameters parameters(const scene::Scene& scene) {
-    dem::Parameters p{.diameter = scene.grains.diameter,
-                      .mass = scene.grains.mass,
-                      .stiffness = scene.contact.stiffness,
-                      .damping = scene.contact.damping,
-                      .damping_direction =
-                          scene.contact.damping_acts_on == scene::Damping::full_vector
-                              ? dem::DampingDirection::full_vector
-                              : dem::DampingDirection::normal_only,
-                      .tail = tail(scene.contact.clipping),
-                      .gravity = scene.gravity,
-                      .period_x = scene.periodic_x,
-                      .period_y = scene.periodic_y,
-                      .plate_stiffness = scene.plates.stiffness,
-                      .plate_reach = scene.plates.touches == scene::PlateContact::surface
-                                         ? scene.grains.diameter / 2
-                                         : 0.0,
-                      .bottom = std::nullopt,
-                      .lid = {},
-                      .scheme = scene.integrator == scene::Integrator::verlet_half_step
-                                    ? dem::Scheme::verlet_half_step
-                                    : dem::Scheme::verlet_predicted,
-                      .dt = scene.dt};
+    dem::Parameters p{
+        .diameter = scene.grains.diameter,
+        .mass = scene.grains.mass,
+        .stiffness = scene.contact.stiffness,
+        .damping = scene.contact.damping,
+        .damping_direction = scene.contact.damping_acts_on == scene::Damping::full_vector
+                                 ? dem::DampingDirection::full_vector
+                                 : dem::DampingDirection::normal_only,
+        .tail = tail(scene.contact.clipping),
+        .gravity = scene.gravity,
+        .period_x = scene.periodic_x,
+        .period_y = scene.periodic_y,
+        .plate_stiffness = scene.plates.stiffness,
+        .plate_reach =
+            scene.plates.touches == scene::PlateContact::surface ? scene.grains.diameter / 2 : 0.0,
+        .bottom = std::nullopt,
+        .lid = {},
+        .scheme = scene.integrator == scene::Integrator::verlet_half_step
+                      ? dem::Scheme::verlet_half_step
+                      : dem::Scheme::verlet_predicted,
+        .dt = scene.dt};
     if (scene.plates.bottom) p.bottom = moving_plate(*scene.plates.bottom);
     if (const auto* plate = std::get_if<scene::PrescribedPlate>(&scene.plates.lid)) {
         p.lid = moving_plate(*plate);
@@ -74,10 +76,8 @@ dem::Parameters parameters(const scene::Scene& scene) {
 }
 
 dem::State initial_state(const scene::Scene& scene) {
-    dem::State state{.x = scene.initial.x,
-                     .y = scene.initial.y,
-                     .vx = scene.initial.vx,
-                     .vy = scene.initial.vy};
+    dem::State state{
+        .x = scene.initial.x, .y = scene.initial.y, .vx = scene.initial.vx, .vy = scene.initial.vy};
     for (std::size_t i = 0; i < scene.initial.frozen.size(); ++i) {
         if (scene.initial.frozen[i]) state.frozen.push_back(i);
     }
@@ -145,9 +145,12 @@ Availability NativeDemCode::probe() const {
 }
 
 std::vector<std::string> NativeDemCode::features() const {
-    return {"damping: full-vector, normal-only", "clipping: none, all, normal-only", "spins: off",
-            "plates: centre, surface; prescribed, free lid",
-            "integrator: verlet-half-step, verlet-predicted", "frozen grains", "periodic: x, y"};
+    return {"contact: spring-dashpot, full-vector or normal-only damping",
+            "clipping: none, all, normal-only",
+            "spins: off",
+            "plates: centre or surface; bottom at rest or prescribed; lid prescribed or free",
+            "gravity, frozen grains, open or periodic along x and y",
+            "integrator: verlet-half-step, verlet-predicted"};
 }
 
 std::optional<std::string> NativeDemCode::cannot_express(const scene::Scene& scene) const {
@@ -177,16 +180,22 @@ RunCost NativeDemCode::run(const scene::Scene& scene, const RunOptions& options,
         if (options.keep_dump) write_frame(frame);
         sink(frame);
     };
+    const auto failure = [&](const char* reason) {
+        return AdapterError({.code = name(),
+                             .reason = reason,
+                             .command = {},
+                             .exit = {},
+                             .log_tail = {},
+                             .directory = options.directory.string()});
+    };
     try {
         scene::FrameGuard guard(scene, tee);
         stream_frames(scene, supervisor, guard);
+        if (options.keep_dump && !file.flush()) throw failure("the dump could not be written");
     } catch (const TrajectoryError& error) {
-        throw AdapterError({.code = name(),
-                            .reason = error.what(),
-                            .command = {},
-                            .exit = {},
-                            .log_tail = {},
-                            .directory = options.directory.string()});
+        throw failure(error.what());
+    } catch (const std::ios_base::failure& error) {
+        throw failure(error.what());
     }
     return {.cpu_s = thread_cpu_seconds() - cpu_start, .wall_s = supervisor.elapsed()};
 }

@@ -39,26 +39,26 @@ enum class Aspect { value, limit, order };
 /// One question of a case. Limits carry their reason.
 struct Check {
     CheckKind kind = CheckKind::exact;
-    std::string observable;                  ///< measurement, series or "trajectory"
+    std::string observable;  ///< measurement, series or "trajectory"
     Aspect aspect = Aspect::value;
-    std::string against;                     ///< "analytic:..." or "published:..."
-    double order = 0;                        ///< theoretical order of convergence, Aspect::order
-    std::vector<std::string> variants;       ///< empty: all
-    std::vector<std::string> codes;          ///< empty: all
-    double limit = 0;                        ///< tolerance or equivalence margin, > 0
-    std::map<std::string, double> limit_for; ///< by code; a pair takes its largest
-    std::string reason;                      ///< why this limit
-    std::optional<double> at_contact_times;  ///< time of a trajectory comparison
-    std::optional<double> from, to;          ///< time window of a series comparison
-    std::string column;                      ///< column of a series that is compared
+    std::string against;                      ///< "analytic:..." or "published:..."
+    double order = 0;                         ///< theoretical order of convergence, Aspect::order
+    std::vector<std::string> variants;        ///< empty: all
+    std::vector<std::string> codes;           ///< empty: all
+    double limit = 0;                         ///< tolerance or equivalence margin, > 0
+    std::map<std::string, double> limit_for;  ///< by code; a pair takes its largest
+    std::string reason;                       ///< why this limit
+    std::optional<double> at_contact_times;   ///< time of a trajectory comparison
+    std::optional<double> from, to;           ///< time window of a series comparison
+    std::string column;                       ///< column of a series that is compared
     std::string expect = "agree";
     std::map<std::string, std::string> expect_for;  ///< by code
-    std::string expect_reason;               ///< required if anything but `agree` is expected
-    int line = 0;                            ///< of the check in its file
+    std::string expect_reason;  ///< required if anything but `agree` is expected
+    int line = 0;               ///< of the check in its file
 };
 
 struct Variant {
-    std::string name;  ///< empty if the case has one variant only
+    std::string name;                             ///< empty if the case has one variant only
     std::size_t rungs = 1;                        ///< time steps of its ladder
     std::vector<std::string> not_expressible_in;  ///< codes of which the catalogue knows it
 };
@@ -79,13 +79,13 @@ class Case {
     std::vector<ObservableRequest> observables;
     std::vector<Check> checks;
     Replicas replicas;
-    double time_limit = 0;            ///< wall seconds per run
+    double time_limit = 0;  ///< wall seconds per run
 
     /// The scene of one run. Throws CaseError.
     [[nodiscard]] scene::Scene scene(std::size_t variant, std::size_t rung,
                                      std::uint64_t seed) const;
 
-    struct Source;                           ///< the parsed file, for scene()
+    struct Source;  ///< the parsed file, for scene()
     std::shared_ptr<const Source> parsed;
 };
 

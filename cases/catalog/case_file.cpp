@@ -31,6 +31,16 @@ const toml::table* sub_table(const toml::table& parent, std::string_view key) {
     return node == nullptr ? nullptr : node->as_table();
 }
 
+std::vector<std::string> read_suites(const TomlTable& t) {
+    auto suites = t.texts("suites");
+    for (const auto& suite : suites) {
+        if (suite == "quick" || suite == "full") continue;
+        throw t.error("suites", "names an unknown suite", fmt::format("\"{}\"", suite),
+                      "\"quick\", \"full\" or both");
+    }
+    return suites;
+}
+
 std::vector<Variant> read_variants(const TomlTable& t) {
     std::vector<Variant> variants;
     for (const TomlTable& entry : t.tables("variant")) {
@@ -40,6 +50,13 @@ std::vector<Variant> read_variants(const TomlTable& t) {
         }
         (void)entry.table("scene");  // read by Case::scene
         entry.reject_unknown_keys();
+        const bool repeated =
+            std::any_of(variants.begin(), variants.end(),
+                        [&](const Variant& other) { return other.name == variant.name; });
+        if (repeated) {
+            throw entry.error("name", "is taken", fmt::format("\"{}\"", variant.name),
+                              "a name of its own for each variant");
+        }
         variants.push_back(std::move(variant));
     }
     if (variants.empty()) variants.push_back({.name = "", .not_expressible_in = {}});
@@ -83,7 +100,8 @@ std::vector<ObservableRequest> read_observables(const TomlTable& t) {
 /// A check that names a variant which is not there would never be asked.
 void check_variant_names(const Case& the_case) {
     std::vector<std::string> names;
-    for (const auto& variant : the_case.variants) names.push_back(variant.name);
+    for (const auto& variant : the_case.variants)
+        names.push_back(variant.name);
     for (const auto& check : the_case.checks) {
         for (const auto& name : check.variants) {
             if (std::find(names.begin(), names.end(), name) != names.end()) continue;
@@ -150,21 +168,25 @@ Case load_case(const std::string& file, Suite suite) {
     result.title = t.text("title");
     result.source = t.text("source");
     result.text = t.text("text");
-    result.suites = t.texts("suites");
+    result.suites = read_suites(t);
     result.time_limit = t.number("time_limit", Range::positive());
     result.variants = read_variants(t);
     result.replicas = read_replicas(t.table("replicas"));
     result.observables = read_observables(t);
     result.checks = read_checks(t);
     (void)t.table("quick");
+    (void)t.table("scene");
     for (std::size_t v = 0; v < result.variants.size(); ++v) {
         result.variants[v].rungs = scene::ladder_size(source->scene_table(v));
     }
-    (void)t.table("scene");
     t.reject_unknown_keys();
     result.parsed = std::move(source);
     check_variant_names(result);
     check_every_scene(result);
+    // What only the quick suite reads must not wait for it to be found wrong.
+    if (suite == Suite::full && result.parsed->root.contains("quick")) {
+        (void)load_case(file, Suite::quick);
+    }
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include "cases/catalog/check_file.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 
@@ -31,6 +33,10 @@ void read_place(const TomlTable& t, Check& check) {
     check.at_contact_times = t.optional_number("at_contact_times", Range::positive());
     check.from = t.optional_number("from", Range::not_negative());
     check.to = t.optional_number("to", Range::positive());
+    if (check.from && check.to && *check.from >= *check.to) {
+        throw t.error("to", "ends the window before it begins", fmt::format("{:g}", *check.to),
+                      fmt::format("more than from = {:g}", *check.from));
+    }
     check.column = t.optional_text("column").value_or("");
     if (check.observable == "trajectory" && !check.at_contact_times) {
         throw t.missing("at_contact_times", "the time of the comparison");
@@ -55,6 +61,7 @@ Check read_check(const TomlTable& t) {
         check.limit_for[code] = limits.number(code, Range::positive());
     }
     check.reason = t.text("reason");
+    if (check.reason.empty()) throw t.error("reason", "is empty", "\"\"", "why this limit");
     read_place(t, check);
     read_expectation(t, check);
     t.reject_unknown_keys();
@@ -65,7 +72,8 @@ Check read_check(const TomlTable& t) {
 
 std::vector<Check> read_checks(const TomlTable& t) {
     std::vector<Check> checks;
-    for (const TomlTable& entry : t.tables("check")) checks.push_back(read_check(entry));
+    for (const TomlTable& entry : t.tables("check"))
+        checks.push_back(read_check(entry));
     return checks;
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -224,7 +223,8 @@ void DisplacementSpectrum::add_fits(Results& results) const {
                                         law->exponent,
                                         slope->standard_error,
                                         law->amplitude};
-        for (std::size_t c = 0; c < row.size(); ++c) fits.values[c].push_back(row[c]);
+        for (std::size_t c = 0; c < row.size(); ++c)
+            fits.values[c].push_back(row[c]);
     }
     if (!fits.values[0].empty()) results.series.push_back(std::move(fits));
 }

@@ -7,8 +7,8 @@
 //
 // Readings where the paper leaves a choice:
 // - t_n: the spacing of lid and bottom crosses h0 upwards (option: downwards), at most once per
-//   half period of the bottom. Upwards the bed is in flight; downwards the lowest row is pressed into
-//   the bottom and many grains fall into layer 0.
+//   half period of the bottom. Upwards the bed is in flight; downwards the lowest row is pressed
+//   into the bottom and many grains fall into layer 0.
 // - Positions at t_n: cubic Hermite interpolation between the two frames around the crossing (error
 //   O(interval^4) while no contact begins or ends in between).
 // - Cells are d wide and sqrt(3) d/2 high and move with the bottom:
@@ -54,8 +54,9 @@ struct DisplacementSpectrumOptions {
 /// Measurements: `slope_<first>_<last>` per group (1), settings k_min, k_max, vectors and, from six
 /// vectors on, stderr_blocks_of_two; `slope_tail_<first>_<last>`, the same over the tail window (0
 /// for white noise); `displacement_vectors`, their number. n is the number of vectors.
-/// Series "spectrum": K = 1..L/2 and per group S_<first>_<last>, err_<first>_<last>; "spectrum-fit":
-/// per group layer_first, layer_last, k_min, k_max, exponent, exponent_err, amplitude.
+/// Series "spectrum": K = 1..L/2 and per group S_<first>_<last>, err_<first>_<last>;
+/// "spectrum-fit": per group layer_first, layer_last, k_min, k_max, exponent, exponent_err,
+/// amplitude.
 ///
 /// Without a vector (h0 is crossed less than twice) nothing is reported, with fewer than three only
 /// `displacement_vectors`. A group with a layer-

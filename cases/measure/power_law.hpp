@@ -13,8 +13,8 @@ struct PowerLaw {
     double amplitude = 0;
 };
 
-/// Least squares of log S against log K over K = k_min..k_max (both included), all points weighted equally.
-/// `spectrum[K]` is S(K). Nothing if the window has fewer than two points, does not lie in
+/// Least squares of log S against log K over K = k_min..k_max (both included), all points weighted
+/// equally. `spectrum[K]` is S(K). Nothing if the window has fewer than two points, does not lie in
 /// 1..size-1, or holds a value that is not positive.
 [[nodiscard]] std::optional<PowerLaw> fit_power_law(std::span<const double> spectrum, int k_min,
                                                     int k_max);

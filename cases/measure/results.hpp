@@ -10,21 +10,21 @@ namespace crossgrain::measure {
 
 /// One number with its errors.
 struct Measurement {
-    std::string observable;   ///< name in the catalogue of observables
+    std::string observable;  ///< name in the catalogue of observables
     double value = 0;
-    double standard_error = 0;///< statistical; 0 for a number without scatter
-    double systematic = 0;    ///< e.g. spread over fit windows; 0 when not applicable
-    std::size_t n = 1;        ///< independent samples behind the value
-    std::string unit = "1";   ///< reduced units, e.g. "t"
+    double standard_error = 0;  ///< statistical; 0 for a number without scatter
+    double systematic = 0;      ///< e.g. spread over fit windows; 0 when not applicable
+    std::size_t n = 1;          ///< independent samples behind the value
+    std::string unit = "1";     ///< reduced units, e.g. "t"
     std::map<std::string, double> settings;  ///< e.g. {"k_min", 1}, {"k_max", 16}
 };
 
 /// A curve or a table: columns of equal length.
 struct Series {
-    std::string name;                        ///< e.g. "lid-height"
-    std::vector<std::string> columns;        ///< e.g. {"t", "h"}
-    std::vector<std::vector<double>> values; ///< shape (columns, rows)
-    std::vector<std::string> units = {};     ///< parallel to columns; empty if not stated
+    std::string name;                         ///< e.g. "lid-height"
+    std::vector<std::string> columns;         ///< e.g. {"t", "h"}
+    std::vector<std::vector<double>> values;  ///< shape (columns, rows)
+    std::vector<std::string> units = {};      ///< parallel to columns; empty if not stated
 };
 
 /// State at one time, for trajectory comparison between codes. Arrays have shape (grains).

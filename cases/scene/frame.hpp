@@ -17,10 +17,10 @@ struct LidState {
 /// Views are valid during the call only. All spans have shape (grains), ordered as in the scene.
 struct Frame {
     std::int64_t step = 0;
-    double time = 0;                ///< step * dt
-    std::span<const double> x, y;   ///< unwrapped positions
-    std::span<const double> vx, vy; ///< velocities at this time (not at a half step)
-    std::optional<LidState> lid;    ///< present if the scene has a free lid
+    double time = 0;                 ///< step * dt
+    std::span<const double> x, y;    ///< unwrapped positions
+    std::span<const double> vx, vy;  ///< velocities at this time (not at a half step)
+    std::optional<LidState> lid;     ///< present if the scene has a free lid
 };
 
 using FrameSink = std::function<void(const Frame&)>;

@@ -20,19 +20,19 @@ void FrameGuard::operator()(const Frame& frame) {
 }
 
 void FrameGuard::check_schedule(const Frame& frame) const {
+    if (expected_step_ > scene_.steps && frame.step > scene_.steps) {
+        throw TrajectoryError(
+            fmt::format("frame at step {} lies beyond the last step {}", frame.step, scene_.steps));
+    }
     if (frame.step < expected_step_) {
         throw TrajectoryError(fmt::format(
             "frame at step {} comes after the frame at step {}: frames overlap (was a run appended "
             "to an older trajectory?)",
             frame.step, expected_step_ - scene_.frame_every));
     }
-    if (frame.step > expected_step_ || frame.step > scene_.steps) {
-        throw TrajectoryError(
-            expected_step_ > scene_.steps
-                ? fmt::format("frame at step {} lies beyond the last step {}", frame.step,
-                              scene_.steps)
-                : fmt::format("frame at step {} is missing (found step {} instead)",
-                              expected_step_, frame.step));
+    if (frame.step > expected_step_) {
+        throw TrajectoryError(fmt::format("frame at step {} is missing (found step {} instead)",
+                                          expected_step_, frame.step));
     }
 }
 

@@ -23,8 +23,12 @@ void resize(InitialState& s, std::size_t n) {
 struct Grid {
     std::size_t columns;
     double spacing;
-    [[nodiscard]] double x(std::size_t k) const { return spacing * static_cast<double>(k % columns); }
-    [[nodiscard]] double y(std::size_t k) const { return spacing * static_cast<double>(k / columns); }
+    [[nodiscard]] double x(std::size_t k) const {
+        return spacing * static_cast<double>(k % columns);
+    }
+    [[nodiscard]] double y(std::size_t k) const {
+        return spacing * static_cast<double>(k / columns);
+    }
 };
 
 Grid grid_for(std::size_t count, double spacing) {
@@ -41,6 +45,10 @@ void generate(Scene& scene, const Pairs& pairs) {
     auto& s = scene.initial;
     const double d = scene.grains.diameter;
     const double b = pairs.impact_parameter;
+    if (std::abs(b) >= d) {
+        throw std::invalid_argument(
+            fmt::format("impact parameter {:g}: grains of diameter {:g} would not meet", b, d));
+    }
     // Free flight after the collision is the rest of the run at no more than the approach speed.
     const double travel = pairs.approach_speed * scene.dt * static_cast<double>(scene.steps);
     const Grid grid = grid_for(pairs.count, 3 * d + 2 * travel);
@@ -48,8 +56,7 @@ void generate(Scene& scene, const Pairs& pairs) {
     resize(s, 2 * pairs.count);
     if (pairs.frozen_partner) s.frozen.assign(2 * pairs.count, false);
     for (std::size_t k = 0; k < pairs.count; ++k) {
-        const double gap =
-            gap_of(k, pairs.count, pairs.lead_steps, pairs.approach_speed, scene.dt);
+        const double gap = gap_of(k, pairs.count, pairs.lead_steps, pairs.approach_speed, scene.dt);
         const std::size_t left = 2 * k;
         const std::size_t right = left + 1;
         s.x[left] = grid.x(k);
@@ -73,7 +80,8 @@ void generate(Scene& scene, const Bounces& bounces) {
         plate = height_at(*scene.plates.bottom, 0);
     } else if (const auto* lid = std::get_if<FreeLid>(&scene.plates.lid)) {
         // Grains share the lid: a second one would meet a lid that has already moved.
-        if (bounces.count != 1) throw std::invalid_argument("one grain only can bounce on a free lid");
+        if (bounces.count != 1)
+            throw std::invalid_argument("one grain only can bounce on a free lid");
         plate = lid->height;
     } else {
         throw std::invalid_argument("there is no free lid");
@@ -89,9 +97,11 @@ void generate(Scene& scene, const Bounces& bounces) {
 
 void remove_drift(std::vector<double>& v) {
     double mean = 0;
-    for (const double value : v) mean += value;
+    for (const double value : v)
+        mean += value;
     mean /= static_cast<double>(v.size());
-    for (double& value : v) value -= mean;
+    for (double& value : v)
+        value -= mean;
 }
 
 void thermalise(Scene& scene, double spread) {
@@ -107,7 +117,8 @@ void thermalise(Scene& scene, double spread) {
 
 /// Moves grain i by less than `reach` in a random direction.
 void jitter(Scene& scene, std::size_t i, double reach) {
-    const double angle = 2 * std::numbers::pi * uniform(scene.seed, RandomStream::initial_position, i);
+    const double angle =
+        2 * std::numbers::pi * uniform(scene.seed, RandomStream::initial_position, i);
     const double radius = reach * uniform(scene.seed, RandomStream::jitter, i);
     scene.initial.x[i] += radius * std::cos(angle);
     scene.initial.y[i] += radius * std::sin(angle);
@@ -155,8 +166,7 @@ void generate(Scene& scene, const Lattice& lattice) {
         const std::size_t row = i / lattice.columns;
         const double offset = row % 2 == 0 ? 0.25 : 0.75;
         scene.initial.x[i] = spacing * (static_cast<double>(i % lattice.columns) + offset);
-        scene.initial.y[i] =
-            lowest + spacing * std::numbers::sqrt3 / 2 * static_cast<double>(row);
+        scene.initial.y[i] = lowest + spacing * std::numbers::sqrt3 / 2 * static_cast<double>(row);
         jitter(scene, i, 0.45 * free);
         highest = std::max(highest, scene.initial.y[i]);
     }
@@ -166,7 +176,9 @@ void generate(Scene& scene, const Lattice& lattice) {
     thermalise(scene, lattice.velocity_spread);
 }
 
-void generate(Scene& scene, const Explicit& given) { scene.initial = given.state; }
+void generate(Scene& scene, const Explicit& given) {
+    scene.initial = given.state;
+}
 
 }  // namespace
 

@@ -25,7 +25,7 @@ struct Pairs {
 /// Isolated grains thrown at one plate, with entry phases as in Pairs.
 struct Bounces {
     std::size_t count = 0;  ///< > 0; 1 for the free lid, which all grains would share
-    double speed = 0;  ///< towards the plate (length/time), > 0
+    double speed = 0;       ///< towards the plate (length/time), > 0
     Target target = Target::bottom;
     double lead_steps = 3;
 };
@@ -41,9 +41,9 @@ struct Gas {
 /// velocities.
 struct Lattice {
     std::size_t count = 0;
-    std::size_t columns = 0;      ///< grains per row; period / columns must exceed d
+    std::size_t columns = 0;  ///< grains per row; period / columns must exceed d
     double velocity_spread = 0;
-    double lid_gap = 0;           ///< free height between the highest grain and the lid, > 0
+    double lid_gap = 0;  ///< free height between the highest grain and the lid, > 0
 };
 
 /// Given grain by grain.

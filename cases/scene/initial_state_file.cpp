@@ -11,13 +11,20 @@ using toml_input::Range;
 using toml_input::TomlTable;
 
 std::size_t count_of(const TomlTable& t, const char* key) {
-    return static_cast<std::size_t>(t.integer(key, 1));
+    constexpr std::int64_t most = 10'000'000;  // beyond what any of the codes runs on one machine
+    const std::int64_t count = t.integer(key, 1);
+    if (count > most) {
+        throw t.error(key, "is out of range", fmt::format("{}", count),
+                      fmt::format("an integer from 1 to {}", most));
+    }
+    return static_cast<std::size_t>(count);
 }
 
 Pairs read_pairs(const TomlTable& t) {
     Pairs pairs{.count = count_of(t, "count"),
                 .approach_speed = t.number("approach_speed", Range::positive()),
-                .impact_parameter = t.optional_number("impact_parameter", Range::any()).value_or(0)};
+                .impact_parameter =
+                    t.optional_number("impact_parameter", Range::any()).value_or(0)};
     if (t.has("frozen_partner")) pairs.frozen_partner = t.boolean("frozen_partner");
     if (const auto lead = t.optional_number("lead_steps", Range::not_negative())) {
         pairs.lead_steps = *lead;
@@ -66,7 +73,8 @@ Explicit read_explicit(const TomlTable& t) {
     if (t.has("frozen")) {
         given.state.frozen.assign(n, false);
         for (const double index : t.numbers("frozen", Range::not_negative())) {
-            if (index >= static_cast<double>(n) || index != static_cast<double>(static_cast<std::size_t>(index))) {
+            if (index >= static_cast<double>(n) ||
+                index != static_cast<double>(static_cast<std::size_t>(index))) {
                 throw t.error("frozen", "names no grain", fmt::format("{:g}", index),
                               fmt::format("indices from 0 to {}", n - 1));
             }
@@ -83,11 +91,16 @@ InitialStateRecipe read_initial_state(const TomlTable& t) {
     const std::size_t kind = t.choice("kind", kinds);
     const InitialStateRecipe recipe = [&]() -> InitialStateRecipe {
         switch (kind) {
-        case 0: return read_pairs(t);
-        case 1: return read_bounces(t);
-        case 2: return read_gas(t);
-        case 3: return read_lattice(t);
-        default: return read_explicit(t);
+        case 0:
+            return read_pairs(t);
+        case 1:
+            return read_bounces(t);
+        case 2:
+            return read_gas(t);
+        case 3:
+            return read_lattice(t);
+        default:
+            return read_explicit(t);
         }
     }();
     t.reject_unknown_keys();

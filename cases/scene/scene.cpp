@@ -1,5 +1,6 @@
 #include "cases/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -45,16 +46,44 @@ std::size_t plate_contacts(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+/// A grain, or its periodic image above the box, in the order of heights.
+struct Site {
+    double y = 0;
+    std::size_t grain = 0;
+};
+
+std::vector<Site> sites_by_height(const Scene& scene) {
+    std::vector<Site> sites;
+    for (std::size_t i = 0; i < scene.initial.y.size(); ++i) {
+        double y = scene.initial.y[i];
+        if (scene.periodic_y) y -= *scene.periodic_y * std::floor(y / *scene.periodic_y);
+        sites.push_back({y, i});
+        if (scene.periodic_y && y < scene.grains.diameter) {
+            sites.push_back({y + *scene.periodic_y, i});
+        }
+    }
+    std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.y < b.y; });
+    return sites;
+}
+
+}  // namespace
+
 std::size_t initial_contacts(const Scene& scene) {
-    // Once per run and N is at most some thousands: the plain double loop is fast enough.
-    const auto& s = scene.initial;
-    const double d_squared = scene.grains.diameter * scene.grains.diameter;
+    const auto& x = scene.initial.x;
+    const double d = scene.grains.diameter;
+    const std::vector<Site> sites = sites_by_height(scene);
     std::size_t count = plate_contacts(scene);
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-        for (std::size_t j = i + 1; j < s.x.size(); ++j) {
-            const double dx = nearest_image(s.x[i] - s.x[j], scene.periodic_x);
-            const double dy = nearest_image(s.y[i] - s.y[j], scene.periodic_y);
-            if (dx * dx + dy * dy < d_squared) ++count;
+    for (std::size_t a = 0; a < sites.size(); ++a) {
+        for (std::size_t b = a + 1; b < sites.size() && sites[b].y - sites[a].y < d; ++b) {
+            if (sites[a].grain == sites[b].grain) continue;
+            const double dx =
+                nearest_image(x[sites[a].grain] - x[sites[b].grain], scene.periodic_x);
+            const double dy = sites[a].y - sites[b].y;
+            // Two images meet twice: once inside the box, once above it.
+            const bool counted_below = scene.periodic_y && sites[a].y >= *scene.periodic_y;
+            if (!counted_below && dx * dx + dy * dy < d * d) ++count;
         }
     }
     return count;
@@ -66,14 +95,19 @@ std::string to_string(Damping value) {
 
 std::string to_string(Clipping value) {
     switch (value) {
-    case Clipping::none: return "none";
-    case Clipping::all: return "all";
-    case Clipping::normal_only: return "normal-only";
+    case Clipping::none:
+        return "none";
+    case Clipping::all:
+        return "all";
+    case Clipping::normal_only:
+        return "normal-only";
     }
     return {};
 }
 
-std::string to_string(Spins value) { return value == Spins::off ? "off" : "on"; }
+std::string to_string(Spins value) {
+    return value == Spins::off ? "off" : "on";
+}
 
 std::string to_string(PlateContact value) {
     return value == PlateContact::centre ? "centre" : "surface";

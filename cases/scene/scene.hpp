@@ -84,14 +84,14 @@ struct Scene {
     Grains grains;
     ContactLaw contact;
     Plates plates;
-    double gravity = 0;                 ///< g, acts along -y, >= 0
-    std::optional<double> periodic_x;   ///< period along x; open when absent
-    std::optional<double> periodic_y;   ///< period along y; open when absent; excludes plates
+    double gravity = 0;                ///< g, acts along -y, >= 0
+    std::optional<double> periodic_x;  ///< period along x; open when absent
+    std::optional<double> periodic_y;  ///< period along y; open when absent; excludes plates
     Integrator integrator = Integrator::verlet_half_step;
-    double dt = 0;                      ///< time step, > 0
-    std::int64_t steps = 0;             ///< multiple of frame_every, > 0
-    std::int64_t frame_every = 0;       ///< frames at 0, frame_every, ..., steps
-    std::uint64_t seed = 0;             ///< of the initial state
+    double dt = 0;                 ///< time step, > 0
+    std::int64_t steps = 0;        ///< multiple of frame_every, > 0
+    std::int64_t frame_every = 0;  ///< frames at 0, frame_every, ..., steps
+    std::uint64_t seed = 0;        ///< of the initial state
     InitialState initial;
 
     [[nodiscard]] std::size_t grain_count() const noexcept { return initial.x.size(); }

@@ -62,6 +62,10 @@ ContactLaw read_contact(const TomlTable& t, double mass) {
     ContactLaw law;
     if (exactly_one(t, {"restitution", "stiffness"}) == "restitution") {
         stiffness_from_collision(t, mass, law);
+        if (t.has("damping_coefficient")) {
+            throw t.error("damping_coefficient", "contradicts", "'restitution' as well",
+                          "one of the two", "remove one");
+        }
     } else {
         law.stiffness = t.number("stiffness", Range::positive());
         law.damping = t.number("damping_coefficient", Range::not_negative());
@@ -74,10 +78,10 @@ ContactLaw read_contact(const TomlTable& t, double mass) {
 }
 
 PrescribedPlate read_prescribed_plate(const TomlTable& t) {
-    const PrescribedPlate plate{.height = t.number("height", Range::any()),
-                                .amplitude =
-                                    t.optional_number("amplitude", Range::not_negative()).value_or(0),
-                                .period = t.optional_number("period", Range::positive()).value_or(1)};
+    const PrescribedPlate plate{
+        .height = t.number("height", Range::any()),
+        .amplitude = t.optional_number("amplitude", Range::not_negative()).value_or(0),
+        .period = t.optional_number("period", Range::positive()).value_or(1)};
     if (plate.amplitude > 0 && !t.has("period")) {
         throw t.missing("period", "the period of the plate's motion");
     }
@@ -110,52 +114,62 @@ std::vector<double> time_steps(const TomlTable& t, double t_col) {
         return t.numbers("dt", Range::positive());
     }
     std::vector<double> steps = t.numbers("steps_per_contact_time", Range::positive());
-    for (double& value : steps) value = t_col / value;
+    for (double& value : steps)
+        value = t_col / value;
     return steps;
 }
 
-/// Length of time given in contact times or in time units under `<key>_...`.
-double duration(const TomlTable& t, double t_col, const std::string& in_time,
-                const std::string& in_contact_times) {
-    return exactly_one(t, {in_time, in_contact_times}) == in_time
-               ? t.number(in_time, Range::positive())
-               : t.number(in_contact_times, Range::positive()) * t_col;
+/// A length of time and the key that gave it.
+struct Duration {
+    std::string key;
+    double time = 0;
+};
+
+/// Given in contact times or in time units, under one of two keys.
+Duration duration(const TomlTable& t, double t_col, const std::string& in_time,
+                  const std::string& in_contact_times) {
+    const std::string key = exactly_one(t, {in_time, in_contact_times});
+    return {key, t.number(key, Range::positive()) * (key == in_time ? 1.0 : t_col)};
 }
 
 /// Whole number of steps nearest to a duration; within round-off of a half it does not matter.
-std::int64_t steps_in(const TomlTable& t, const char* key, double time, double dt) {
-    const double steps = std::round(time / dt);
+std::int64_t steps_in(const TomlTable& t, const Duration& duration, double dt) {
+    const double steps = std::round(duration.time / dt);
     if (!(steps >= 1)) {
-        throw t.error(key, "is shorter than a time step", fmt::format("{:g}", time),
-                      fmt::format("at least dt = {:g}", dt));
+        throw t.error(duration.key, "is shorter than a time step",
+                      fmt::format("{:g}", duration.time), fmt::format("at least dt = {:g}", dt));
     }
     if (steps > 1e12) {
-        throw t.error(key, "is too long", fmt::format("{:g} steps", steps), "at most 1e12 steps");
+        throw t.error(duration.key, "is too long", fmt::format("{:g} steps", steps),
+                      "at most 1e12 steps");
     }
     return static_cast<std::int64_t>(steps);
 }
 
 void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
-    const double time = duration(t, t_col, "time", "contact_times");
+    scene.steps = steps_in(t, duration(t, t_col, "time", "contact_times"), scene.dt);
     const TomlTable frames = t.table("frames");
-    scene.steps = steps_in(t, "time", time, scene.dt);
     if (frames.has("first_and_last") && frames.boolean("first_and_last")) {
         scene.frame_every = scene.steps;
+        for (const char* key : {"every_time", "every_contact_times"}) {
+            if (frames.has(key)) {
+                throw frames.error(key, "contradicts", "'first_and_last' as well", "one of the two",
+                                   "remove one");
+            }
+        }
     } else {
-        scene.frame_every = steps_in(
-            frames, "every_time", duration(frames, t_col, "every_time", "every_contact_times"),
-            scene.dt);
+        const Duration every = duration(frames, t_col, "every_time", "every_contact_times");
+        scene.frame_every = steps_in(frames, every, scene.dt);
+        if (scene.frame_every > scene.steps) {
+            throw frames.error(every.key, "is longer than the run",
+                               fmt::format("{} steps", scene.frame_every),
+                               fmt::format("at most {} steps", scene.steps));
+        }
     }
     frames.reject_unknown_keys();
-    if (scene.frame_every > scene.steps) {
-        throw frames.error("every_time", "is longer than the run",
-                           fmt::format("{} steps", scene.frame_every),
-                           fmt::format("at most {} steps", scene.steps));
-    }
     // The last frame is the end of the run.
-    const std::int64_t frames_needed =
-        (scene.steps + scene.frame_every - 1) / scene.frame_every;
-    scene.steps = frames_needed * scene.frame_every;
+    const std::int64_t intervals = (scene.steps + scene.frame_every - 1) / scene.frame_every;
+    scene.steps = intervals * scene.frame_every;
 }
 
 void check_consistency(const TomlTable& t, const Scene& scene) {

@@ -7,7 +7,9 @@ namespace {
 
 using nlohmann::json;
 
-json period_json(const std::optional<double>& period) { return period ? json(*period) : json(); }
+json period_json(const std::optional<double>& period) {
+    return period ? json(*period) : json();
+}
 
 json plate_json(const PrescribedPlate& plate) {
     return {{"height", plate.height}, {"amplitude", plate.amplitude}, {"period", plate.period}};
@@ -67,7 +69,8 @@ json settings_json(const Scene& scene) {
                   {"clipping", to_string(scene.contact.clipping)},
                   {"spins", to_string(scene.contact.spins)},
                   {"integrator", to_string(scene.integrator)}};
-    if (scene.plates.bottom) settings["plates_touch"] = to_string(scene.plates.touches);
+    const bool has_lid = !std::holds_alternative<std::monostate>(scene.plates.lid);
+    if (scene.plates.bottom || has_lid) settings["plates_touch"] = to_string(scene.plates.touches);
     return settings;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <numeric>
@@ -40,9 +41,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Range Range::any() { return {-infinity, infinity, false, "a finite number"}; }
-Range Range::positive() { return {0, infinity, true, "a number > 0"}; }
-Range Range::not_negative() { return {0, infinity, false, "a number >= 0"}; }
+Range Range::any() {
+    return {-infinity, infinity, false, "a finite number"};
+}
+Range Range::positive() {
+    return {0, infinity, true, "a number > 0"};
+}
+Range Range::not_negative() {
+    return {0, infinity, false, "a number >= 0"};
+}
 Range Range::left_open(double low, double high) {
     return {low, high, true, fmt::format("a number in ({:g}, {:g}]", low, high)};
 }
@@ -68,7 +75,9 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
 }
 
 toml::table parse_toml_file(const std::string& file) {
-    if (!std::ifstream(file)) {
+    std::error_code ignored;
+    // A directory opens like an empty file.
+    if (!std::ifstream(file) || std::filesystem::is_directory(file, ignored)) {
         throw CaseError({.file = file, .problem = "cannot be read", .expected = "a TOML file"});
     }
     try {
@@ -100,7 +109,9 @@ const toml::node* TomlTable::find(std::string_view key) const {
     return nullptr;
 }
 
-bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
+bool TomlTable::has(std::string_view key) const {
+    return find(key) != nullptr;
+}
 
 const toml::node& TomlTable::required(std::string_view key, std::string_view type) const {
     const auto* node = find(key);
@@ -112,8 +123,13 @@ CaseError TomlTable::missing(std::string_view key, std::string expected) const {
     const std::vector<std::string> wanted{std::string(key)};
     for (const auto* layer : layers_) {
         for (const auto& [present, node] : *layer) {
-            const bool known = std::find(asked_.begin(), asked_.end(), present.str()) != asked_.end();
-            if (known || !nearest(present.str(), wanted)) continue;
+            const bool known =
+                std::find(asked_.begin(), asked_.end(), present.str()) != asked_.end();
+            // Short keys (x, vx) resemble each other without being misspelt.
+            constexpr std::size_t shortest = 4;
+            if (known || present.str().size() < shortest || !nearest(present.str(), wanted)) {
+                continue;
+            }
             return error_at(present.source(), present.str(), "is not a known key", "", "",
                             fmt::format("did you mean '{}'?", key));
         }
@@ -148,7 +164,8 @@ std::vector<double> TomlTable::numbers(std::string_view key, const Range& range)
     if (array == nullptr) return {checked(key, node, range)};
     if (array->empty()) throw error(key, "is empty", "[]", "at least one number");
     std::vector<double> values;
-    for (const auto& element : *array) values.push_back(checked(key, element, range));
+    for (const auto& element : *array)
+        values.push_back(checked(key, element, range));
     return values;
 }
 
@@ -176,11 +193,15 @@ std::optional<std::string> TomlTable::optional_text(std::string_view key) const 
 std::vector<std::string> TomlTable::texts(std::string_view key) const {
     const auto& node = required(key, "an array of strings");
     const auto* array = node.as_array();
-    if (array == nullptr) throw error(key, "has the wrong type", shown(node), "an array of strings");
+    if (array == nullptr)
+        throw error(key, "has the wrong type", shown(node), "an array of strings");
     std::vector<std::string> values;
     for (const auto& element : *array) {
         const auto value = element.value_exact<std::string>();
-        if (!value) throw error(key, "has the wrong type", shown(element), "a string");
+        if (!value) {
+            throw error_at(element.source(), key, "has the wrong type", shown(element), "a string",
+                           {});
+        }
         values.push_back(*value);
     }
     return values;
@@ -233,7 +254,8 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
         throw error(key, "has the wrong type", shown(*node), fmt::format("[[{}]] tables", key));
     }
     for (const auto& element : *array) {
-        result.emplace_back(file_, dotted(key), std::vector<const toml::table*>{element.as_table()});
+        result.emplace_back(file_, dotted(key),
+                            std::vector<const toml::table*>{element.as_table()});
     }
     return result;
 }

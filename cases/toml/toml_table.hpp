@@ -50,7 +50,8 @@ class TomlTable {
     [[nodiscard]] bool boolean(std::string_view key) const;
     [[nodiscard]] bool is_text(std::string_view key) const;
     /// One of `words`; returns its index.
-    [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string> words) const;
+    [[nodiscard]] std::size_t choice(std::string_view key,
+                                     std::span<const std::string> words) const;
     /// All layers' sub-tables of that key; an absent one reads as empty.
     [[nodiscard]] TomlTable table(std::string_view key) const;
     /// The tables of an array of tables, from the first layer that has it; empty if none has.

@@ -1,6 +1,6 @@
-// Counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream, n),
-// so results do not depend on the order or on the threads in which they are drawn.
-// Generator: Philox4x32-10 (Salmon et al., SC'11, doi:10.1145/2063384.2063405) from Random123.
+// Counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream,
+// n), so results do not depend on the order or on the threads in which they are drawn. Generator:
+// Philox4x32-10 (Salmon et al., SC'11, doi:10.1145/2063384.2063405) from Random123.
 #pragma once
 
 #include <array>

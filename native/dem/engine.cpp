@@ -18,17 +18,19 @@ namespace {
 /// Half a diameter: the second shell of a dense packing stays out, rebuilds stay rare.
 constexpr double skin_in_diameters = 0.5;
 
-using Law = std::variant<SpringDashpot<DampingDirection::full_vector, AttractiveTail::kept>,
-                         SpringDashpot<DampingDirection::full_vector, AttractiveTail::contact_force_cut>,
-                         SpringDashpot<DampingDirection::full_vector, AttractiveTail::normal_force_cut>,
-                         SpringDashpot<DampingDirection::normal_only, AttractiveTail::kept>,
-                         SpringDashpot<DampingDirection::normal_only, AttractiveTail::contact_force_cut>,
-                         SpringDashpot<DampingDirection::normal_only, AttractiveTail::normal_force_cut>>;
+using Law =
+    std::variant<SpringDashpot<DampingDirection::full_vector, AttractiveTail::kept>,
+                 SpringDashpot<DampingDirection::full_vector, AttractiveTail::contact_force_cut>,
+                 SpringDashpot<DampingDirection::full_vector, AttractiveTail::normal_force_cut>,
+                 SpringDashpot<DampingDirection::normal_only, AttractiveTail::kept>,
+                 SpringDashpot<DampingDirection::normal_only, AttractiveTail::contact_force_cut>,
+                 SpringDashpot<DampingDirection::normal_only, AttractiveTail::normal_force_cut>>;
 
 template <DampingDirection damping>
 Law law_with(const Parameters& p) {
     switch (p.tail) {
-    case AttractiveTail::kept: break;
+    case AttractiveTail::kept:
+        break;
     case AttractiveTail::contact_force_cut:
         return SpringDashpot<damping, AttractiveTail::contact_force_cut>{p.stiffness, p.damping};
     case AttractiveTail::normal_force_cut:
@@ -66,15 +68,17 @@ struct Engine::Implementation {
     State s;
     Law law;
     NeighbourList neighbours;
-    std::vector<double> ax, ay;                    ///< forces while they are summed up
+    std::vector<double> ax, ay;  ///< forces while they are summed up
     std::vector<double> vx_predicted, vy_predicted;
     double lid_acceleration = 0;
 };
 
 Engine::Implementation::Implementation(const Parameters& parameters, State initial)
     : p(parameters), s(std::move(initial)), law(make_law(p)),
-      neighbours(p.diameter, skin_in_diameters * p.diameter, p.period_x, p.period_y), ax(s.x.size()),
-      ay(s.x.size()) {
+      neighbours(p.diameter, skin_in_diameters * p.diameter, p.period_x, p.period_y),
+      ax(s.x.size()), ay(s.x.size()) {
+    for (const std::size_t i : s.frozen)
+        s.vx[i] = s.vy[i] = 0;
     neighbours.update(s.x, s.y);
     std::visit([&](const auto& pair_law) { forces(pair_law, s.vx, s.vy); }, law);
 }
@@ -82,7 +86,8 @@ Engine::Implementation::Implementation(const Parameters& parameters, State initi
 void Engine::Implementation::advance(std::int64_t steps) {
     std::visit(
         [&](const auto& pair_law) {
-            for (std::int64_t i = 0; i < steps; ++i) step(pair_law);
+            for (std::int64_t i = 0; i < steps; ++i)
+                step(pair_law);
         },
         law);
 }
@@ -139,8 +144,7 @@ void Engine::Implementation::plate_forces(double t) {
     if (const auto* plate = std::get_if<MovingPlate>(&p.lid)) {
         push_from_lid(plate->position(t), p.plate_stiffness, p.plate_reach, s.y, ay);
     } else if (const auto* lid = std::get_if<InertialLid>(&p.lid)) {
-        const double push =
-            push_from_lid(s.lid_height, p.plate_stiffness, p.plate_reach, s.y, ay);
+        const double push = push_from_lid(s.lid_height, p.plate_stiffness, p.plate_reach, s.y, ay);
         lid_acceleration = push / lid->mass - p.gravity;
     }
 }
@@ -150,7 +154,8 @@ void Engine::Implementation::accelerations_from_forces() {
         ax[i] /= p.mass;
         ay[i] = ay[i] / p.mass - p.gravity;
     }
-    for (const std::size_t i : s.frozen) ax[i] = ay[i] = 0;
+    for (const std::size_t i : s.frozen)
+        ax[i] = ay[i] = 0;
 }
 
 void Engine::Implementation::kick() {
@@ -186,8 +191,12 @@ Engine::Engine(const Parameters& parameters, State state)
 
 Engine::~Engine() = default;
 
-void Engine::advance(std::int64_t steps) { implementation_->advance(steps); }
+void Engine::advance(std::int64_t steps) {
+    implementation_->advance(steps);
+}
 
-const State& Engine::state() const noexcept { return implementation_->s; }
+const State& Engine::state() const noexcept {
+    return implementation_->s;
+}
 
 }  // namespace crossgrain::dem

@@ -34,7 +34,8 @@ struct NeighbourList::Axis {
     template <class Visit>
     void neighbours_of(int c, Visit visit) const {
         if (cells < 3) {
-            for (int n = 0; n < cells; ++n) visit(n);
+            for (int n = 0; n < cells; ++n)
+                visit(n);
             return;
         }
         for (int n = c - 1; n <= c + 1; ++n) {
@@ -69,21 +70,19 @@ void NeighbourList::update(const std::vector<double>& x, const std::vector<doubl
 
 bool NeighbourList::outdated(const std::vector<double>& x, const std::vector<double>& y) const {
     const double limit = skin_ * skin_ / 4;
-    double largest = 0;
+    unsigned moved = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double dx = x[i] - x_built_[i];
         const double dy = y[i] - y_built_[i];
-        const double moved = dx * dx + dy * dy;
         // Written so that a NaN counts as moved.
-        largest = moved <= largest ? largest : moved;
+        moved |= dx * dx + dy * dy <= limit ? 0U : 1U;
     }
-    return !(largest <= limit);
+    return moved != 0;
 }
 
 /// Also the place where a run that has blown up is noticed: cell indices need finite positions.
 NeighbourList::Axis NeighbourList::make_axis(const std::vector<double>& values,
-                                             const std::optional<double>& period,
-                                             char name) const {
+                                             const std::optional<double>& period, char name) const {
     double low = values.front();
     double high = values.front();
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -105,7 +104,9 @@ NeighbourList::Axis NeighbourList::make_axis(const std::vector<double>& values,
 
 NeighbourList::Cells NeighbourList::make_cells(const std::vector<double>& x,
                                                const std::vector<double>& y) const {
-    Cells cells{.x = make_axis(x, period_x_, 'x'), .y = make_axis(y, period_y_, 'y'), .start = {},
+    Cells cells{.x = make_axis(x, period_x_, 'x'),
+                .y = make_axis(y, period_y_, 'y'),
+                .start = {},
                 .order = {}};
     std::vector<std::size_t> cell(x.size());
     cells.start.assign(cells.index(0, cells.y.cells) + 1, 0);
@@ -113,7 +114,8 @@ NeighbourList::Cells NeighbourList::make_cells(const std::vector<double>& x,
         cell[i] = cells.index(cells.x.cell_of(x[i]), cells.y.cell_of(y[i]));
         ++cells.start[cell[i] + 1];
     }
-    for (std::size_t c = 1; c < cells.start.size(); ++c) cells.start[c] += cells.start[c - 1];
+    for (std::size_t c = 1; c < cells.start.size(); ++c)
+        cells.start[c] += cells.start[c - 1];
     cells.order.resize(x.size());
     std::vector<std::uint32_t> next(cells.start.begin(), cells.start.end() - 1);
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -150,9 +152,8 @@ void NeighbourList::pair_up(const Cells& cells, const std::vector<double>& x,
             const std::size_t c = cells.index(cx, cy);
             for (auto k = cells.start[c]; k < cells.start[c + 1]; ++k) {
                 cells.y.neighbours_of(cy, [&](int ny) {
-                    cells.x.neighbours_of(cx, [&](int nx) {
-                        pair_with_cell(cells.order[k], cells.index(nx, ny));
-                    });
+                    cells.x.neighbours_of(
+                        cx, [&](int nx) { pair_with_cell(cells.order[k], cells.index(nx, ny)); });
                 });
             }
         }

@@ -35,7 +35,8 @@ class NeighbourList {
     [[nodiscard]] Axis make_axis(const std::vector<double>& values,
                                  const std::optional<double>& period, char name) const;
     [[nodiscard]] bool outdated(const std::vector<double>& x, const std::vector<double>& y) const;
-    [[nodiscard]] Cells make_cells(const std::vector<double>& x, const std::vector<double>& y) const;
+    [[nodiscard]] Cells make_cells(const std::vector<double>& x,
+                                   const std::vector<double>& y) const;
     void build(const std::vector<double>& x, const std::vector<double>& y);
     void pair_up(const Cells& cells, const std::vector<double>& x, const std::vector<double>& y);
 

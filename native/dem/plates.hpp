@@ -1,16 +1,14 @@
 // Elastic plates without dissipation (Taguchi, section 2.2 and Eq. 2): a grain whose touching
-// point lies beyond the plate by `overlap` is pushed back with k overlap, the lid with the reaction.
+// point lies beyond the plate by `overlap` is pushed back with k overlap, the lid with the
+// reaction.
 #pragma once
 
 #include "native/dem/system.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace crossgrain::dem {
-
-inline double MovingPlate::position(double t) const { return height + amplitude * std::cos(omega * t); }
 
 /// Adds the bottom's force to fy. shape (grains)
 inline void push_from_bottom(double bottom, double stiffness, double reach,

@@ -3,6 +3,7 @@
 // equations hold for any consistent set; the paper's has grain mass 1, gravity 1, diameter 2.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -19,7 +20,9 @@ struct MovingPlate {
     double height = 0;
     double amplitude = 0;
     double omega = 0;  ///< angular frequency (1/t)
-    [[nodiscard]] double position(double t) const;
+    [[nodiscard]] double position(double t) const {
+        return height + amplitude * std::cos(omega * t);
+    }
 };
 
 /// Lid of finite mass that moves freely under gravity and the grains' push.
@@ -30,16 +33,16 @@ struct InertialLid {
 using Lid = std::variant<std::monostate, MovingPlate, InertialLid>;
 
 struct Parameters {
-    double diameter = 0;         ///< d
-    double mass = 0;             ///< m
-    double stiffness = 0;        ///< k (m/t^2)
-    double damping = 0;          ///< eta (m/t), on the relative velocity
+    double diameter = 0;   ///< d
+    double mass = 0;       ///< m
+    double stiffness = 0;  ///< k (m/t^2)
+    double damping = 0;    ///< eta (m/t), on the relative velocity
     DampingDirection damping_direction = DampingDirection::full_vector;
     AttractiveTail tail = AttractiveTail::kept;
-    double gravity = 0;          ///< along -y
+    double gravity = 0;                        ///< along -y
     std::optional<double> period_x, period_y;  ///< open where absent
-    double plate_stiffness = 0;  ///< elastic, no dissipation
-    double plate_reach = 0;      ///< 0: plates touch centres; d/2: they touch surfaces
+    double plate_stiffness = 0;                ///< elastic, no dissipation
+    double plate_reach = 0;  ///< 0: plates touch centres; d/2: they touch surfaces
     std::optional<MovingPlate> bottom;
     Lid lid;
     Scheme scheme = Scheme::verlet_half_step;
@@ -50,8 +53,9 @@ struct Parameters {
 struct State {
     std::int64_t step = 0;
     std::vector<double> x, y, vx, vy;
-    std::vector<std::size_t> frozen;  ///< indices of grains that never move
-    double lid_height = 0;            ///< used with an InertialLid only
+    std::vector<std::size_t>
+        frozen;             ///< indices of grains that never move, whatever their velocity
+    double lid_height = 0;  ///< used with an InertialLid only
     double lid_velocity = 0;
 };
 

@@ -12,7 +12,9 @@ double widest(double largest, double difference) {
     return std::max(largest, std::abs(difference));
 }
 
-bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
+bool same_time(double a, double b) {
+    return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a));
+}
 
 std::optional<std::size_t> column_index(const measure::Series& series, const std::string& column) {
     const auto found = std::find(series.columns.begin(), series.columns.end(), column);

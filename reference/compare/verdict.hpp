@@ -1,6 +1,7 @@
 // The four kinds of check and what they may answer. Only `agree` is green.
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace crossgrain::compare {
@@ -24,18 +25,19 @@ enum class Outcome {
 
 /// One answered question. `expected` tells whether the outcome is the one the catalogue records.
 struct Verdict {
-    std::string code;        ///< "lammps"; for pairs "native-dem" with `against` = "lammps"
+    std::string code;  ///< "lammps"; for pairs "native-dem" with `against` = "lammps"
     std::string observable;
     Kind kind = Kind::exact;
-    std::string against;     ///< "analytic:restitution", "published:...", or a code's name
-    std::string setting;     ///< variant and time, e.g. "clip-all, dt = t_col/100"; may be empty
-    double difference = 0;   ///< signed where a sign makes sense
+    std::string against;  ///< "analytic:restitution", "published:...", or a code's name
+    std::string setting;  ///< variant and time, e.g. "clip-all, dt = t_col/100"; may be empty
+    /// Signed where a sign makes sense; not a number while nothing was compared.
+    double difference = std::numeric_limits<double>::quiet_NaN();
     double uncertainty = 0;  ///< half-width of the 95 % interval of `difference`
     double limit = 0;        ///< tolerance or equivalence margin
     std::string limit_reason;
     Outcome outcome = Outcome::undecided;
     bool expected = true;
-    std::string reason;      ///< one line: why not `agree`, or why a disagreement is expected
+    std::string reason;  ///< one line: why not `agree`, or why a disagreement is expected
 };
 
 [[nodiscard]] std::string to_string(Kind kind);

@@ -1,6 +1,7 @@
 #include "reference/published/published.hpp"
 
 #include "cases/toml/toml_table.hpp"
+#include "native/base/errors.hpp"
 
 namespace crossgrain::published {
 namespace {
@@ -23,6 +24,11 @@ PublishedValue read_value(const TomlTable& t, const std::string& name, const std
 }  // namespace
 
 PublishedValues::PublishedValues(const std::filesystem::path& directory) {
+    if (!std::filesystem::is_directory(directory)) {
+        throw CaseError({.file = directory.string(),
+                         .problem = "is no directory",
+                         .expected = "the published values that come with the program"});
+    }
     for (const auto& entry : std::filesystem::directory_iterator(directory)) {
         if (entry.path().extension() != ".toml") continue;
         const toml::table root = toml_input::parse_toml_file(entry.path().string());

@@ -1,4 +1,5 @@
-// Numbers and trends from the literature: value, error, where they stand and how they were obtained.
+// Numbers and trends from the literature: value, error, where they stand and how they were
+// obtained.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +10,13 @@
 namespace crossgrain::published {
 
 struct PublishedValue {
-    std::string id;         ///< "<file>/<name>", e.g. "taguchi-1995/slope-low-layers"
-    std::string quantity;   ///< what it is, in words
-    double value = 0;       ///< reduced units of the paper
-    double error = 0;       ///< standard error as published; 0 if none is stated
-    std::string source;     ///< author, title, journal or preprint number
-    std::string place;      ///< figure, section or page
-    std::string obtained;   ///< read from text, from a figure, computed from stated numbers
+    std::string id;        ///< "<file>/<name>", e.g. "taguchi-1995/slope-low-layers"
+    std::string quantity;  ///< what it is, in words
+    double value = 0;      ///< reduced units of the paper
+    double error = 0;      ///< standard error as published; 0 if none is stated
+    std::string source;    ///< author, title, journal or preprint number
+    std::string place;     ///< figure, section or page
+    std::string obtained;  ///< read from text, from a figure, computed from stated numbers
 };
 
 class PublishedValues {

@@ -19,10 +19,8 @@ json to_json(const measure::Results& results) {
     }
     json series = json::array();
     for (const auto& s : results.series) {
-        series.push_back({{"name", s.name},
-                          {"columns", s.columns},
-                          {"values", s.values},
-                          {"units", s.units}});
+        series.push_back(
+            {{"name", s.name}, {"columns", s.columns}, {"values", s.values}, {"units", s.units}});
     }
     json snapshots = json::array();
     for (const auto& s : results.snapshots) {

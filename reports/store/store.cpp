@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <ctime>
 
 namespace crossgrain::store {
@@ -47,6 +48,18 @@ auto guarded(const std::filesystem::path& directory, Operation operation) {
     } catch (const nlohmann::json::exception& error) {
         throw StoreError(fmt::format("results directory {}: a stored run cannot be read ({})",
                                      directory.string(), error.what()));
+    } catch (const std::logic_error& error) {  // std::stoull of what is no seed
+        throw StoreError(fmt::format("results directory {}: a stored run cannot be read ({})",
+                                     directory.string(), error.what()));
+    }
+}
+
+void require_finite(const measure::Results& results) {
+    for (const auto& m : results.measurements) {
+        if (std::isfinite(m.value) && std::isfinite(m.standard_error) &&
+            std::isfinite(m.systematic))
+            continue;
+        throw StoreError(fmt::format("measurement '{}' is not a finite number", m.observable));
     }
 }
 
@@ -132,25 +145,30 @@ std::optional<RunRecord> Store::find(const std::string& key) const {
 }
 
 std::int64_t Store::add(const RunRecord& run) {
+    require_finite(run.results);
     return guarded(directory_, [&] {
         SQLite::Transaction transaction(database_->sqlite);
-        SQLite::Statement insert(database_->sqlite,
-                                 "INSERT INTO run (key, case_name, variant, rung, code, version, "
-                                 "replica, seed, status, reason, log_tail, settings, cpu_s, wall_s, "
-                                 "work, work_unit, created, results) "
-                                 "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        SQLite::Statement insert(
+            database_->sqlite, "INSERT INTO run (key, case_name, variant, rung, code, version, "
+                               "replica, seed, status, reason, log_tail, settings, cpu_s, wall_s, "
+                               "work, work_unit, created, results) "
+                               "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
         const std::vector<std::uint8_t> blob = blob_of(run.results);
         int at = 0;
-        for (const auto& text : {run.key, run.case_name, run.variant}) insert.bind(++at, text);
+        for (const auto& text : {run.key, run.case_name, run.variant})
+            insert.bind(++at, text);
         insert.bind(++at, static_cast<std::int64_t>(run.rung));
-        for (const auto& text : {run.code, run.version}) insert.bind(++at, text);
+        for (const auto& text : {run.code, run.version})
+            insert.bind(++at, text);
         insert.bind(++at, run.replica);
-        for (const auto& text : {std::to_string(run.seed), run.status, run.reason, run.log_tail,
-                                 run.settings_json}) {
+        for (const auto& text :
+             {std::to_string(run.seed), run.status, run.reason, run.log_tail, run.settings_json}) {
             insert.bind(++at, text);
         }
-        for (const double number : {run.cpu_s, run.wall_s, run.work}) insert.bind(++at, number);
-        for (const auto& text : {run.work_unit, run.created}) insert.bind(++at, text);
+        for (const double number : {run.cpu_s, run.wall_s, run.work})
+            insert.bind(++at, number);
+        for (const auto& text : {run.work_unit, run.created})
+            insert.bind(++at, text);
         insert.bind(++at, blob.data(), static_cast<int>(blob.size()));
         insert.exec();
         const std::int64_t id = database_->sqlite.getLastInsertRowid();
@@ -189,8 +207,8 @@ void Store::add_verdicts(const Entry& entry, const std::string& case_name,
         for (const auto& v : verdicts) {
             SQLite::bind(insert, entry.id, case_name, v.code, v.observable,
                          compare::to_string(v.kind), v.against, v.setting, v.difference,
-                         v.uncertainty, v.limit, compare::to_string(v.outcome),
-                         v.expected ? 1 : 0, v.reason);
+                         v.uncertainty, v.limit, compare::to_string(v.outcome), v.expected ? 1 : 0,
+                         v.reason);
             insert.exec();
             insert.reset();
         }

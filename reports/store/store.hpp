@@ -28,10 +28,10 @@ struct RunRecord {
     std::string settings_json;  ///< what a reader wants to see: dt, law variant, N, ...
     double cpu_s = 0;
     double wall_s = 0;
-    double work = 0;            ///< in work_unit
+    double work = 0;  ///< in work_unit
     std::string work_unit = "particle-steps";
-    std::string created;        ///< UTC, ISO 8601
-    bool cached = false;        ///< found in the store instead of computed
+    std::string created;  ///< UTC, ISO 8601
+    bool cached = false;  ///< found in the store instead of computed
     measure::Results results;
 };
 

@@ -15,7 +15,8 @@ namespace {
 void check_refused(const Answer& answer, const std::vector<std::string>& words) {
     BOOST_TEST(answer.status == 2);
     BOOST_TEST(answer.error_lines() == 1);
-    for (const auto& word : words) BOOST_TEST(answer.says(word), "missing: " + word + answer.err);
+    for (const auto& word : words)
+        BOOST_TEST(answer.says(word), "missing: " + word + answer.err);
 }
 
 void check_case_refused(const std::string& from, const std::string& to,
@@ -86,7 +87,8 @@ BOOST_AUTO_TEST_CASE(an_absent_code_is_not_installed_and_never_green) {
     int absent = 0;
     const json verdicts = json::parse(all.out)["cases"][0]["verdicts"];
     for (const auto& verdict : verdicts) {
-        const bool names_native_only = verdict["code"] == "native-dem" && verdict["kind"] == "exact";
+        const bool names_native_only =
+            verdict["code"] == "native-dem" && verdict["kind"] == "exact";
         BOOST_TEST((verdict["verdict"] == "agree") == names_native_only);
         absent += verdict["verdict"] == "not_installed" ? 1 : 0;
     }

@@ -25,19 +25,24 @@ struct Defect {
     std::vector<std::string> not_expressible_in;
 };
 
-std::ostream& operator<<(std::ostream& out, const Defect& defect) { return out << defect.name; }
+std::ostream& operator<<(std::ostream& out, const Defect& defect) {
+    return out << defect.name;
+}
 
 const std::vector<Defect>& defects() {
     static const std::vector<Defect> all{
         {"doubled damping", "small-gas", [](Scene& s) { s.contact.damping *= 2; }, {}},
-        {"spins left on", "small-gas", [](Scene& s) { s.contact.spins = scene::Spins::on; },
+        {"spins left on",
+         "small-gas",
+         [](Scene& s) { s.contact.spins = scene::Spins::on; },
          // its law takes one lever arm for the velocity and another for the torque
          {"lammps"}},
         {"damping on the normal only",
          "small-gas",
          [](Scene& s) { s.contact.damping_acts_on = scene::Damping::normal_only; },
          {}},
-        {"attraction clipped", "small-gas",
+        {"attraction clipped",
+         "small-gas",
          [](Scene& s) { s.contact.clipping = scene::Clipping::all; },
          {}},
         {"stiffness 1 % off", "small-gas", [](Scene& s) { s.contact.stiffness *= 1.01; }, {}},
@@ -46,7 +51,8 @@ const std::vector<Defect>& defects() {
          [](Scene& s) { s.plates.touches = scene::PlateContact::surface; },
          {}},
         {"g 1 % off", "small-bed", [](Scene& s) { s.gravity *= 1.01; }, {}},
-        {"lid mass 1 % off", "small-bed",
+        {"lid mass 1 % off",
+         "small-bed",
          [](Scene& s) { std::get<scene::FreeLid>(s.plates.lid).mass *= 1.01; },
          {}},
     };
@@ -62,8 +68,7 @@ class DefectiveCode final : public adapters::Code {
     [[nodiscard]] std::string name() const override { return code_.name(); }
     [[nodiscard]] adapters::Availability probe() const override { return code_.probe(); }
     [[nodiscard]] std::vector<std::string> features() const override { return code_.features(); }
-    [[nodiscard]] std::optional<std::string>
-    cannot_express(const Scene& scene) const override {
+    [[nodiscard]] std::optional<std::string> cannot_express(const Scene& scene) const override {
         return code_.cannot_express(changed(scene));
     }
     [[nodiscard]] std::vector<adapters::InputFile> input(const Scene& scene) const override {
@@ -117,8 +122,8 @@ bool absent(const std::string& code) {
 
 BOOST_DATA_TEST_CASE(the_same_input_is_certified,
                      boost::unit_test::data::make(foreign_codes) *
-                         boost::unit_test::data::make(
-                             std::vector<std::string>{"small-gas", "small-bed"}),
+                         boost::unit_test::data::make(std::vector<std::string>{"small-gas",
+                                                                               "small-bed"}),
                      code, case_name) {
     if (absent(code)) return;
     BOOST_CHECK(certify(case_name, code, [](Scene&) {}) == compare::Outcome::agree);

@@ -32,10 +32,8 @@ store::RunRecord run_of(const std::string& code, double value, double standard_e
         record.reason = "reason of " + code;
         return record;
     }
-    record.results.measurements.push_back({.observable = "slope",
-                                           .value = value,
-                                           .standard_error = standard_error,
-                                           .n = 20});
+    record.results.measurements.push_back(
+        {.observable = "slope", .value = value, .standard_error = standard_error, .n = 20});
     record.results.snapshots.push_back({.time = 0.5, .x = {1.0, value}, .y = {2.0, 3.0}});
     return record;
 }

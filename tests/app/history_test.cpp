@@ -58,5 +58,6 @@ BOOST_AUTO_TEST_CASE(other_settings_are_another_series) {
     all[2].value = 3;
     const auto history = app::history_of(all);
     BOOST_TEST(history.size() == 2U);
-    for (const auto& series : history) BOOST_CHECK(series.drift == Drift::too_few);
+    for (const auto& series : history)
+        BOOST_CHECK(series.drift == Drift::too_few);
 }

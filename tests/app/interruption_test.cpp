@@ -18,7 +18,8 @@ namespace {
 int interrupted_after(std::chrono::milliseconds delay, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), CROSSGRAIN_PROGRAM);
     std::vector<char*> argv;
-    for (auto& argument : arguments) argv.push_back(argument.data());
+    for (auto& argument : arguments)
+        argv.push_back(argument.data());
     argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
@@ -38,23 +39,24 @@ BOOST_AUTO_TEST_CASE(ctrl_c_keeps_what_is_finished) {
     const Program crossgrain;
     // The quick gas is finished at once; the bed of 4e9 steps never is.
     const auto quick = crossgrain.case_with("small-gas", "name = ", "name = ");
-    const auto endless = crossgrain.case_with("small-bed", "time = 2.0\nframes = { every_time = 0.1 }",
-                                              "time = 4e6\nframes = { every_time = 1e3 }");
-    const int status = interrupted_after(
-        std::chrono::milliseconds(1500),
-        {"run", quick, endless, "--code", "native-dem", "--jobs", "2", "--time-limit", "100",
-         "--results", crossgrain.results().string()});
+    const auto endless =
+        crossgrain.case_with("small-bed", "time = 2.0\nframes = { every_time = 0.1 }",
+                             "time = 4e6\nframes = { every_time = 1e3 }");
+    const int status =
+        interrupted_after(std::chrono::milliseconds(1500),
+                          {"run", quick, endless, "--code", "native-dem", "--jobs", "2",
+                           "--time-limit", "100", "--results", crossgrain.results().string()});
     BOOST_TEST(status == 130);
-    BOOST_TEST(crossgrain({"run", quick, "--code", "native-dem"})
-                   .says("0 runs computed, 1 taken from"));
+    BOOST_TEST(
+        crossgrain({"run", quick, "--code", "native-dem"}).says("0 runs computed, 1 taken from"));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_over_its_time_limit_fails_with_that_reason) {
     const Program crossgrain;
-    const auto endless = crossgrain.case_with("small-bed", "time = 2.0\nframes = { every_time = 0.1 }",
-                                              "time = 4e6\nframes = { every_time = 1e3 }");
-    const auto answer =
-        crossgrain({"run", endless, "--code", "native-dem", "--time-limit", "0.5"});
+    const auto endless =
+        crossgrain.case_with("small-bed", "time = 2.0\nframes = { every_time = 0.1 }",
+                             "time = 4e6\nframes = { every_time = 1e3 }");
+    const auto answer = crossgrain({"run", endless, "--code", "native-dem", "--time-limit", "0.5"});
     BOOST_TEST(answer.status == 3);
     BOOST_TEST(answer.says("time limit"));
 }

@@ -35,7 +35,8 @@ BOOST_AUTO_TEST_CASE(restitution_of_the_shipped_variants) {
     const auto value = [&](std::size_t variant) {
         return app::exact_value("analytic:restitution", the_case.scene(variant, 0, 1)).value();
     };
-    // full: by construction; clipped: 0.80809934 head-on for e = 0.8; frozen: mu = m instead of m/2.
+    // full: by construction; clipped: 0.80809934 head-on for e = 0.8; frozen: mu = m instead of
+    // m/2.
     BOOST_TEST(value(0) == 0.8, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(value(1) == 0.80809934, boost::test_tools::tolerance(1e-8));
     BOOST_TEST(value(2) == value(1), boost::test_tools::tolerance(1e-14));

@@ -23,7 +23,8 @@ struct Answer {
     [[nodiscard]] int error_lines() const {
         int count = 0;
         std::istringstream in(err);
-        for (std::string line; std::getline(in, line);) count += line.starts_with("error:") ? 1 : 0;
+        for (std::string line; std::getline(in, line);)
+            count += line.starts_with("error:") ? 1 : 0;
         return count;
     }
 };

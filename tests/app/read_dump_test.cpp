@@ -83,16 +83,19 @@ BOOST_AUTO_TEST_CASE(a_damaged_dump_is_a_failed_run) {
     check_failed(gas.measured([](std::string& t) {
         const auto line = t.rfind("\n1 1 ") + 5;
         t.replace(line, t.find(' ', line) - line, "nan");
-    }), "finite");
+    }),
+                 "finite");
     check_failed(gas.measured([](std::string& t) {
         replace(t, "ITEM: NUMBER OF ATOMS\n16", "ITEM: NUMBER OF ATOMS\n15");
-    }), "15");
+    }),
+                 "15");
     check_failed(gas.measured([](std::string& t) { t += t; }), "overlap");
     check_failed(gas.measured([](std::string& t) {
         for (auto at = t.find(" vx"); at != std::string::npos; at = t.find(" vx")) {
             t.replace(at, 3, " wx");
         }
-    }), "vx");
+    }),
+                 "vx");
     check_failed(gas.measured([](std::string& t) { t.clear(); }), "");
 }
 

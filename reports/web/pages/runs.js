@@ -78,15 +78,21 @@ window.crossgrain = window.crossgrain || {};
       ],
     ]);
     const rowAttributes = (i) => ({ "data-status": runs[i].status });
+    // Some hundred rows that few readers want: folded, below the failures, which are not.
     return [
       failures(runs),
-      table({
-        caption: format.plural(runs.length, "run"),
-        columns,
-        rows,
-        className: "compact runs",
-        rowAttributes,
-      }),
+      el(
+        "details",
+        { class: "all-runs" },
+        el("summary", {}, "all " + format.plural(runs.length, "run")),
+        table({
+          caption: format.plural(runs.length, "run"),
+          columns,
+          rows,
+          className: "compact runs",
+          rowAttributes,
+        }),
+      ),
     ];
   };
 })(window.crossgrain);

@@ -70,7 +70,8 @@ const std::string frame_function =
     "1 1 %s 0 1 0\\n2 1 1 0 -1 0\\n' $1 $2; }\n";
 
 /// All frames with exit status 0: what each test below breaks.
-const std::string good = frame_function + "{ frame 0 0; frame 1 .1; frame 2 .2; } >trajectory.dump\n";
+const std::string good =
+    frame_function + "{ frame 0 0; frame 1 .1; frame 2 .2; } >trajectory.dump\n";
 
 struct Outcome {
     int frames = 0;
@@ -145,16 +146,16 @@ BOOST_AUTO_TEST_CASE(missing_frames) {
     BOOST_TEST(outcome_of(ShellCode("true")).error.reason == "dump holds no frame");
     BOOST_TEST(outcome_of(ShellCode(frame_function + "{ frame 0 0; frame 1 0; } >trajectory.dump"))
                    .error.reason == "trajectory ends before step 2 (2 of 3 frames)");
-    BOOST_TEST(
-        outcome_of(ShellCode(frame_function + "frame 0 0 | head -c 120 >trajectory.dump")).error.reason ==
-        "dump ends in the middle of the frame at step 0 (after line 9)");
+    BOOST_TEST(outcome_of(ShellCode(frame_function + "frame 0 0 | head -c 120 >trajectory.dump"))
+                   .error.reason ==
+               "dump ends in the middle of the frame at step 0 (after line 9)");
 }
 
 BOOST_AUTO_TEST_CASE(frames_that_cannot_be_end_the_program) {
     const auto reason = [](const std::string& frames) {
         const auto start = std::chrono::steady_clock::now();
-        const auto outcome =
-            outcome_of(ShellCode(frame_function + "{ " + frames + "; } >trajectory.dump; sleep 60"));
+        const auto outcome = outcome_of(
+            ShellCode(frame_function + "{ " + frames + "; } >trajectory.dump; sleep 60"));
         BOOST_TEST((std::chrono::steady_clock::now() - start < std::chrono::seconds(10)));
         BOOST_TEST(outcome.error.exit == "ended because of its trajectory");
         return outcome.error.reason;
@@ -168,8 +169,8 @@ BOOST_AUTO_TEST_CASE(frames_that_cannot_be_end_the_program) {
 }
 
 BOOST_AUTO_TEST_CASE(hanging_program_is_ended_at_the_time_limit) {
-    const auto outcome =
-        outcome_of(ShellCode(frame_function + "frame 0 0 >trajectory.dump; sleep 60"), short_pair(), 0.5);
+    const auto outcome = outcome_of(
+        ShellCode(frame_function + "frame 0 0 >trajectory.dump; sleep 60"), short_pair(), 0.5);
     BOOST_TEST(outcome.frames == 1);
     BOOST_TEST(outcome.error.reason == "not finished within 0.5 s (1 frames so far)");
     BOOST_TEST(outcome.error.exit == "killed at the time limit of 0.5 s");

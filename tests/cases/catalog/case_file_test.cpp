@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(every_key_of_the_file_arrives_in_the_case) {
     BOOST_TEST(c.variants[0].rungs == 1u);
     BOOST_TEST_REQUIRE(c.observables.size() == 1u);
     BOOST_TEST(c.observables[0].name == "momentum");
-    BOOST_TEST(c.observables[0].line == 25);
+    BOOST_TEST(c.observables[0].line == 24);
     BOOST_TEST(c.checks.size() == 1u);
     const auto scene = c.scene(0, 0, 7);
     BOOST_TEST(scene.name == "small");
@@ -39,8 +39,9 @@ BOOST_AUTO_TEST_CASE(every_key_of_the_file_arrives_in_the_case) {
 }
 
 BOOST_AUTO_TEST_CASE(options_of_an_observable_arrive_with_their_place) {
-    const auto c = load(replaced(case_text, "name = \"momentum\"",
-                                 "name = \"momentum\"\ntimes = [1, 2.5]\n  skip = 3\nunit = \"t\""));
+    const auto c =
+        load(replaced(case_text, "name = \"momentum\"",
+                      "name = \"momentum\"\ntimes = [1, 2.5]\n  skip = 3\nunit = \"t\""));
     const auto& options = c.observables.at(0).options;
     BOOST_TEST(options.size() == 3u);
     BOOST_TEST(options.at("times").numbers.at(1) == 2.5);

@@ -108,8 +108,8 @@ BOOST_AUTO_TEST_CASE(every_scene_of_every_case_starts_without_contacts) {
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_name_gets_the_nearest_one_as_a_hint) {
-    const auto e = tests::refusal(
-        [] { (void)catalog::find_case(directory, "colision-normal", Suite::full); });
+    const auto e =
+        tests::refusal([] { (void)catalog::find_case(directory, "colision-normal", Suite::full); });
     BOOST_TEST(e.problem == "unknown case");
     BOOST_TEST(e.got == "'colision-normal'");
     BOOST_TEST(e.hint == "did you mean 'collision-normal'?");
@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_gets_the_nearest_one_as_a_hint) {
 BOOST_AUTO_TEST_CASE(a_path_is_read_as_a_file) {
     const auto c = catalog::find_case("nowhere", directory + "/gas-parity.toml", Suite::full);
     BOOST_TEST(c.name == "gas-parity");
-    const auto e = tests::refusal(
-        [] { (void)catalog::find_case(directory, "missing.toml", Suite::full); });
+    const auto e =
+        tests::refusal([] { (void)catalog::find_case(directory, "missing.toml", Suite::full); });
     BOOST_TEST(e.file == "missing.toml");
     BOOST_TEST(e.problem == "cannot be read");
 }

@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(a_variant_wins_over_the_quick_table_and_that_over_the_case)
 }
 
 BOOST_AUTO_TEST_CASE(every_variant_s_scene_is_checked_when_the_case_is_loaded) {
-    const auto e =
-        refusal_of(replaced(two_variants, "scene.contact.contact_time", "scene.contact.contat_time"));
+    const auto e = refusal_of(
+        replaced(two_variants, "scene.contact.contact_time", "scene.contact.contat_time"));
     BOOST_TEST(e.key == "scene.contact.contat_time");
     BOOST_TEST(e.line == 34);
     BOOST_TEST(e.hint == "did you mean 'contact_time'?");

@@ -112,20 +112,19 @@ BOOST_AUTO_TEST_CASE(a_frame_beyond_the_last_step_is_refused) {
 
 BOOST_AUTO_TEST_CASE(a_trajectory_that_ends_early_is_refused) {
     const auto s = scene_of_three();
-    BOOST_TEST(answer(s, {0, 10}, {}, true) ==
-               "trajectory ends before step 20 (2 of 3 frames)");
+    BOOST_TEST(answer(s, {0, 10}, {}, true) == "trajectory ends before step 20 (2 of 3 frames)");
     BOOST_TEST(answer(s, {}, {}, true) == "trajectory ends before step 0 (0 of 3 frames)");
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_number_of_grains_is_refused) {
     const auto s = scene_of_three();
     const std::vector<std::vector<double> KeptFrame::*> arrays{&KeptFrame::x, &KeptFrame::y,
-                                                                &KeptFrame::vx, &KeptFrame::vy};
+                                                               &KeptFrame::vx, &KeptFrame::vy};
     for (const auto array : arrays) {
-        BOOST_TEST(says(answer(s, {0, 10}, [&](auto& f) { (f.*array).pop_back(); }),
-                        "the scene has 2"));
-        BOOST_TEST(says(answer(s, {0, 10}, [&](auto& f) { (f.*array).push_back(0); }),
-                        "the scene has 2"));
+        BOOST_TEST(
+            says(answer(s, {0, 10}, [&](auto& f) { (f.*array).pop_back(); }), "the scene has 2"));
+        BOOST_TEST(
+            says(answer(s, {0, 10}, [&](auto& f) { (f.*array).push_back(0); }), "the scene has 2"));
     }
 }
 
@@ -138,11 +137,12 @@ BOOST_AUTO_TEST_CASE(a_missing_or_extra_lid_is_refused) {
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_none_are_refused_with_the_grain) {
     const std::vector<std::vector<double> KeptFrame::*> arrays{&KeptFrame::x, &KeptFrame::y,
-                                                                &KeptFrame::vx, &KeptFrame::vy};
+                                                               &KeptFrame::vx, &KeptFrame::vy};
     for (const double bad : {not_a_number, infinite, -infinite}) {
         for (const auto array : arrays) {
-            BOOST_TEST(says(answer(scene_of_three(), {0, 10}, [&](auto& f) { (f.*array)[1] = bad; }),
-                            "grain 1 is not finite at step 10"));
+            BOOST_TEST(
+                says(answer(scene_of_three(), {0, 10}, [&](auto& f) { (f.*array)[1] = bad; }),
+                     "grain 1 is not finite at step 10"));
         }
         const auto s = scene_of_three(true);
         BOOST_TEST(says(answer(s, {0, 10}, [&](auto& f) { f.lid->height = bad; }), "lid"));

@@ -96,6 +96,21 @@ BOOST_AUTO_TEST_CASE(explicit_arrays_of_different_length_are_refused) {
                   "is out of range");
 }
 
+BOOST_AUTO_TEST_CASE(a_missing_array_is_refused_by_its_own_name) {
+    // The others have similar names, and are right.
+    const auto check = [](const std::string& line, const std::string& key) {
+        const auto e = refusal_with(line, "\n");
+        BOOST_TEST_CONTEXT("without " << key) {
+            BOOST_TEST(e.key == "scene.initial." + key);
+            BOOST_TEST(e.problem == "is missing");
+        }
+    };
+    check("\nx = [1.0, 4.0]\n", "x");
+    check("\ny = [5.0, 6.0]\n", "y");
+    check("\nvx = [0.5, 0.0]\n", "vx");
+    check("\nvy = [0.0, 0.25]\n", "vy");
+}
+
 BOOST_AUTO_TEST_CASE(frozen_grains_are_given_by_their_index) {
     const auto with_frozen = [](const std::string& list) {
         const auto at_rest = replaced(scene_text, "vy = [0.0, 0.25]", "vy = [0.0, 0.0]");

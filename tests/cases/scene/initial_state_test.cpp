@@ -1,5 +1,5 @@
-// Generated states are free of contacts, at rest as a whole, reproducible to the bit, and spread the
-// phases of their collisions evenly over a time step.
+// Generated states are free of contacts, at rest as a whole, reproducible to the bit, and spread
+// the phases of their collisions evenly over a time step.
 #include "cases/scene/initial_state.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -39,10 +39,8 @@ Scene bed(PlateContact touches, std::size_t count = 90) {
                     .touches = touches,
                     .bottom = PrescribedPlate{.height = 1, .amplitude = 0.5, .period = 3},
                     .lid = FreeLid{.mass = 10}};
-    generate_initial_state(scene, Lattice{.count = count,
-                                          .columns = 9,
-                                          .velocity_spread = 0.1,
-                                          .lid_gap = 0.25});
+    generate_initial_state(
+        scene, Lattice{.count = count, .columns = 9, .velocity_spread = 0.1, .lid_gap = 0.25});
     return scene;
 }
 
@@ -144,7 +142,8 @@ BOOST_AUTO_TEST_CASE(a_lattice_is_triangular_with_its_columns_per_row) {
 
 BOOST_AUTO_TEST_CASE(entry_phases_of_pairs_cover_one_time_step_evenly) {
     for (const double b : {0.0, 1.2, -1.9}) {
-        const auto scene = open_scene(Pairs{.count = 16, .approach_speed = 1.5, .impact_parameter = b});
+        const auto scene =
+            open_scene(Pairs{.count = 16, .approach_speed = 1.5, .impact_parameter = b});
         const auto& s = scene.initial;
         std::vector<double> gaps;
         for (std::size_t k = 0; k < 16; ++k) {

@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(a_restitution_outside_zero_to_one_is_refused) {
         BOOST_TEST(e.column == 15);
         BOOST_TEST(e.expected == "a number in (0, 1]");
     }
-    check_refusal(refusal_with("restitution = 0.8", "restitution = \"0.8\""),
-                  "contact.restitution", 9, "has the wrong type");
+    check_refusal(refusal_with("restitution = 0.8", "restitution = \"0.8\""), "contact.restitution",
+                  9, "has the wrong type");
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_time_must_be_positive) {
@@ -107,13 +107,13 @@ BOOST_AUTO_TEST_CASE(restitution_and_stiffness_together_are_a_contradiction) {
 }
 
 BOOST_AUTO_TEST_CASE(half_of_the_other_pair_is_refused) {
-    const auto with_eta = refusal_with("contact_time = 0.1",
-                                       "contact_time = 0.1\ndamping_coefficient = 2.0");
+    const auto with_eta =
+        refusal_with("contact_time = 0.1", "contact_time = 0.1\ndamping_coefficient = 2.0");
     BOOST_TEST(with_eta.key == "scene.contact.damping_coefficient");
     BOOST_TEST(with_eta.line == 11);
     const auto with_time = tests::refusal([] {
-        (void)tests::read_scene(replaced(with_stiffness("500", "2"), "[contact]",
-                                         "[contact]\ncontact_time = 0.1"));
+        (void)tests::read_scene(
+            replaced(with_stiffness("500", "2"), "[contact]", "[contact]\ncontact_time = 0.1"));
     });
     BOOST_TEST(with_time.key == "scene.contact.contact_time");
     BOOST_TEST(with_time.line == 9);
@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(neither_restitution_nor_stiffness_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(the_choices_of_a_law_must_be_made) {
-    for (const std::string line : {"damping = \"full-vector\"", "clipping = \"none\"",
-                                   "spins = \"off\""}) {
+    for (const std::string line :
+         {"damping = \"full-vector\"", "clipping = \"none\"", "spins = \"off\""}) {
         const auto e = refusal_with(line, "");
         BOOST_TEST(e.problem == "is missing");
         BOOST_TEST(e.key == "scene.contact." + line.substr(0, line.find(' ')));

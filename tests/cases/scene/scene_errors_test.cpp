@@ -129,9 +129,9 @@ BOOST_AUTO_TEST_CASE(a_period_along_y_excludes_plates) {
     check_refusal(e, "periodic_y", 2, "contradicts");
     BOOST_TEST(e.got == "plates as well");
     // A lid alone is a plate.
-    const auto text = tests::replaced(
-        tests::replaced(tests::scene_text, "periodic_x", "periodic_y"),
-        "bottom = { height = 0.0, amplitude = 0.5, period = 2.0 }", "");
+    const auto text =
+        tests::replaced(tests::replaced(tests::scene_text, "periodic_x", "periodic_y"),
+                        "bottom = { height = 0.0, amplitude = 0.5, period = 2.0 }", "");
     check_refusal(tests::refusal([&] { (void)tests::read_scene(text); }), "periodic_y", 2,
                   "contradicts");
 }

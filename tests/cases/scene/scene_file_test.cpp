@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(every_key_of_the_file_arrives_in_the_scene) {
 }
 
 BOOST_AUTO_TEST_CASE(every_word_arrives_as_its_own_choice) {
-    BOOST_TEST((with("full-vector", "normal-only").contact.damping_acts_on ==
-                Damping::normal_only));
+    BOOST_TEST(
+        (with("full-vector", "normal-only").contact.damping_acts_on == Damping::normal_only));
     BOOST_TEST((with("\"none\"", "\"all\"").contact.clipping == Clipping::all));
     BOOST_TEST((with("\"none\"", "\"normal-only\"").contact.clipping == Clipping::normal_only));
     BOOST_TEST((with("\"off\"", "\"on\"").contact.spins == Spins::on));

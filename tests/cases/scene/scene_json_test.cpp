@@ -1,5 +1,5 @@
-// The scene's JSON identifies a run: the same scene gives the same text, and every field that a code
-// sees changes it.
+// The scene's JSON identifies a run: the same scene gives the same text, and every field that a
+// code sees changes it.
 #include "cases/scene/scene_json.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -49,8 +49,7 @@ const std::vector<Mutation> mutations{
     {"mass", [](Scene& s) { s.grains.mass = next(s.grains.mass); }},
     {"stiffness", [](Scene& s) { s.contact.stiffness = next(s.contact.stiffness); }},
     {"damping", [](Scene& s) { s.contact.damping = next(s.contact.damping); }},
-    {"damping acts on",
-     [](Scene& s) { s.contact.damping_acts_on = scene::Damping::normal_only; }},
+    {"damping acts on", [](Scene& s) { s.contact.damping_acts_on = scene::Damping::normal_only; }},
     {"clipping all", [](Scene& s) { s.contact.clipping = scene::Clipping::all; }},
     {"clipping normal", [](Scene& s) { s.contact.clipping = scene::Clipping::normal_only; }},
     {"spins", [](Scene& s) { s.contact.spins = scene::Spins::on; }},
@@ -92,7 +91,9 @@ BOOST_AUTO_TEST_CASE(every_field_changes_the_text_and_each_in_its_own_way) {
     for (const auto& mutation : mutations) {
         auto changed = full_scene();
         mutation.apply(changed);
-        BOOST_TEST_CONTEXT(mutation.what) { BOOST_TEST(texts.insert(text_of(changed)).second); }
+        BOOST_TEST_CONTEXT(mutation.what) {
+            BOOST_TEST(texts.insert(text_of(changed)).second);
+        }
     }
 }
 

@@ -1,5 +1,5 @@
-// Whatever is wrong with an input file is refused with the file, the line, the column, the key, what
-// was found, what was expected and the nearest valid key.
+// Whatever is wrong with an input file is refused with the file, the line, the column, the key,
+// what was found, what was expected and the nearest valid key.
 #include "cases/toml/toml_table.hpp"
 #include "tests/cases/toml/refusal.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -109,13 +109,15 @@ BOOST_AUTO_TEST_CASE(an_element_of_a_list_of_words_is_refused_where_it_stands) {
 BOOST_AUTO_TEST_CASE(a_missing_key_is_refused_at_its_table) {
     check(refusal([] { (void)table.table("part").number("width", Range::positive()); }), 11, 1,
           "part.width", "is missing", "", "a number > 0");
-    check(refusal([] { (void)table.tables("entry").at(1).text("name"); }), 16, 1, "entry.name",
-          "is missing", "", "a string");
-    for (const auto& details : {refusal([] { (void)table.integer("absent", 1); }),
-                                refusal([] { (void)table.text("absent"); }),
-                                refusal([] { (void)table.texts("absent"); }),
-                                refusal([] { (void)table.boolean("absent"); }),
-                                refusal([] { (void)table.numbers("absent", Range::any()); })}) {
+    // The entry has 'nmae': what was meant is said instead of what is missing.
+    const auto misspelt = refusal([] { (void)table.tables("entry").at(1).text("name"); });
+    check(misspelt, 17, 1, "entry.nmae", "is not a known key", "", "");
+    BOOST_TEST(misspelt.hint == "did you mean 'name'?");
+    for (const auto& details :
+         {refusal([] { (void)table.integer("absent", 1); }),
+          refusal([] { (void)table.text("absent"); }), refusal([] { (void)table.texts("absent"); }),
+          refusal([] { (void)table.boolean("absent"); }),
+          refusal([] { (void)table.numbers("absent", Range::any()); })}) {
         BOOST_TEST(details.problem == "is missing");
         BOOST_TEST(details.key == "absent");
         BOOST_TEST(details.file == "case.toml");

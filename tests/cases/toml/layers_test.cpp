@@ -1,13 +1,16 @@
 // Layers of tables read as one: the upper one wins, key by key, at every depth.
 //
 // How to write a test here (this file is the one to copy):
-// - One subject per file, <subject>_test.cpp, in the folder that mirrors the code's. Add the subject
+// - One subject per file, <subject>_test.cpp, in the folder that mirrors the code's. Add the
+// subject
 //   to the CMakeLists.txt beside it; the label is `unit`, or `physics` if an engine has to run.
 // - The first line of the file and the name of each test case say what is protected: a reader who
 //   sees the name fail knows what is broken without opening the file.
-// - Get the input by the shortest way (text in the test, a scene of tests/support/scenes.hpp); files
+// - Get the input by the shortest way (text in the test, a scene of tests/support/scenes.hpp);
+// files
 //   go to a tests::TemporaryDirectory.
-// - BOOST_TEST(value == expected) prints both sides. Numbers that are not exact get a tolerance and,
+// - BOOST_TEST(value == expected) prints both sides. Numbers that are not exact get a tolerance
+// and,
 //   as a comment, the reason for that size: `tt::tolerance(1e-12));  // 400 roundings`.
 // - Also show the test's teeth: that bad input is refused, that the event looked at did happen.
 #include "cases/toml/toml_table.hpp"
@@ -86,7 +89,7 @@ BOOST_AUTO_TEST_CASE(an_absent_table_reads_as_empty) {
 BOOST_AUTO_TEST_CASE(keys_of_all_layers_are_known_once_each) {
     auto keys = layered().keys();
     std::sort(keys.begin(), keys.end());
-    const std::vector<std::string> expected{"colour", "count", "entry", "flag",
+    const std::vector<std::string> expected{"colour", "count",  "entry", "flag",
                                             "list",   "nested", "size",  "words"};
     BOOST_TEST(keys == expected, boost::test_tools::per_element());
 }

@@ -21,10 +21,10 @@ std::string hint(std::string_view word) {
 
 BOOST_AUTO_TEST_CASE(one_or_two_wrong_letters_find_the_word) {
     BOOST_TEST(hint("restitution") == "restitution");
-    BOOST_TEST(hint("restituton") == "restitution");   // one is missing
-    BOOST_TEST(hint("restittution") == "restitution"); // one is too many
-    BOOST_TEST(hint("restotution") == "restitution");  // one is wrong
-    BOOST_TEST(hint("erstitution") == "restitution");  // two are exchanged
+    BOOST_TEST(hint("restituton") == "restitution");    // one is missing
+    BOOST_TEST(hint("restittution") == "restitution");  // one is too many
+    BOOST_TEST(hint("restotution") == "restitution");   // one is wrong
+    BOOST_TEST(hint("erstitution") == "restitution");   // two are exchanged
     BOOST_TEST(hint("dampnig") == "damping");
     BOOST_TEST(hint("stifness") == "stiffness");
 }

@@ -1,6 +1,6 @@
 // The random numbers are the published generator, a pure function of (seed, stream, n), and have
-// the moments they claim. Statistical bounds are five standard errors of the statistic: a fixed seed
-// gives a fixed answer, and a wrong distribution is tens of standard errors away.
+// the moments they claim. Statistical bounds are five standard errors of the statistic: a fixed
+// seed gives a fixed answer, and a wrong distribution is tens of standard errors away.
 #include "native/base/random.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -110,8 +110,8 @@ BOOST_AUTO_TEST_CASE(the_same_seed_stream_and_n_give_the_same_number_in_any_orde
 
 BOOST_AUTO_TEST_CASE(streams_seeds_and_numbers_never_share_a_value) {
     std::vector<double> all;
-    for (const auto stream : {RandomStream::initial_velocity, RandomStream::initial_position,
-                              RandomStream::jitter}) {
+    for (const auto stream :
+         {RandomStream::initial_velocity, RandomStream::initial_position, RandomStream::jitter}) {
         for (const auto seed : numbers) {
             for (const auto n : numbers)
                 all.push_back(uniform(seed, stream, n));

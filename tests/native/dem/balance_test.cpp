@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(central_forces_keep_the_angular_momentum) {
         const double change = angular_momentum(after(p, gas, 500)) - angular_momentum(gas);
         const bool central = law.damping == dem::DampingDirection::normal_only;
         BOOST_TEST_CONTEXT(law.name << ": " << change) {
-            // Sums of order 100, rounded 500 times; the dashpot across the normal makes 0.1 and more.
+            // Sums of order 100, rounded 500 times; the dashpot across the normal makes 0.1 and
+            // more.
             BOOST_TEST((std::abs(change) < 1e-11) == central);
         }
     }

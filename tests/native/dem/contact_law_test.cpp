@@ -37,9 +37,8 @@ using AllLaws =
 struct Contact {
     explicit Contact(std::uint64_t n)
         : overlap(0.1 * uniform(1, RandomStream::jitter, n)),
-          angle(2 * std::numbers::pi * uniform(2, RandomStream::jitter, n)),
-          nx(std::cos(angle)), ny(std::sin(angle)),
-          vx(20 * normal_pair(3, RandomStream::jitter, n)[0]),
+          angle(2 * std::numbers::pi * uniform(2, RandomStream::jitter, n)), nx(std::cos(angle)),
+          ny(std::sin(angle)), vx(20 * normal_pair(3, RandomStream::jitter, n)[0]),
           vy(20 * normal_pair(3, RandomStream::jitter, n)[1]) {}
     template <class Law>
     [[nodiscard]] Force force(const Law& law) const {
@@ -95,8 +94,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(exchanging_the_grains_turns_the_force_round_bit_fo
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_cut_law_never_attracts_along_the_normal, Law, AllLaws) {
-    const bool keeps_the_tail =
-        std::is_same_v<Law, FullKept> || std::is_same_v<Law, NormalKept>;
+    const bool keeps_the_tail = std::is_same_v<Law, FullKept> || std::is_same_v<Law, NormalKept>;
     bool attracted = false;
     for (std::uint64_t n = 0; n < contacts; ++n) {
         const Contact c(n);

@@ -87,8 +87,9 @@ BOOST_AUTO_TEST_CASE(both_schemes_converge_to_the_damped_oscillator_at_their_ord
         auto p = free_discs(law_variants[0], 0);
         p.scheme = scheme;
         const double g = p.damping, w = std::sqrt(2 * p.stiffness - g * g);
-        const double exact = std::exp(-g * duration) * (0.01 * std::cos(w * duration) +
-                                                        (1 + 0.01 * g) / w * std::sin(w * duration));
+        const double exact =
+            std::exp(-g * duration) *
+            (0.01 * std::cos(w * duration) + (1 + 0.01 * g) / w * std::sin(w * duration));
         check(measure([&](std::int64_t steps) {
                   return std::abs(overlap(run(p, pair, steps)) - exact);
               }),

@@ -28,9 +28,12 @@ dem::MovingPlate plate(const scene::PrescribedPlate& given) {
 
 dem::AttractiveTail tail(scene::Clipping clipping) {
     switch (clipping) {
-    case scene::Clipping::all: return dem::AttractiveTail::contact_force_cut;
-    case scene::Clipping::normal_only: return dem::AttractiveTail::normal_force_cut;
-    case scene::Clipping::none: break;
+    case scene::Clipping::all:
+        return dem::AttractiveTail::contact_force_cut;
+    case scene::Clipping::normal_only:
+        return dem::AttractiveTail::normal_force_cut;
+    case scene::Clipping::none:
+        break;
     }
     return dem::AttractiveTail::kept;
 }
@@ -39,21 +42,21 @@ dem::Parameters parameters(const scene::Scene& s) {
     const bool full = s.contact.damping_acts_on == scene::Damping::full_vector;
     const bool predicted = s.integrator == scene::Integrator::verlet_predicted;
     const bool surface = s.plates.touches == scene::PlateContact::surface;
-    dem::Parameters p{
-        .diameter = s.grains.diameter,
-        .mass = s.grains.mass,
-        .stiffness = s.contact.stiffness,
-        .damping = s.contact.damping,
-        .damping_direction =
-            full ? dem::DampingDirection::full_vector : dem::DampingDirection::normal_only,
-        .tail = tail(s.contact.clipping),
-        .gravity = s.gravity,
-        .period_x = s.periodic_x,
-        .period_y = s.periodic_y,
-        .plate_stiffness = s.plates.stiffness,
-        .plate_reach = surface ? s.grains.diameter / 2 : 0,
-        .scheme = predicted ? dem::Scheme::verlet_predicted : dem::Scheme::verlet_half_step,
-        .dt = s.dt};
+    dem::Parameters p{.diameter = s.grains.diameter,
+                      .mass = s.grains.mass,
+                      .stiffness = s.contact.stiffness,
+                      .damping = s.contact.damping,
+                      .damping_direction = full ? dem::DampingDirection::full_vector
+                                                : dem::DampingDirection::normal_only,
+                      .tail = tail(s.contact.clipping),
+                      .gravity = s.gravity,
+                      .period_x = s.periodic_x,
+                      .period_y = s.periodic_y,
+                      .plate_stiffness = s.plates.stiffness,
+                      .plate_reach = surface ? s.grains.diameter / 2 : 0,
+                      .scheme =
+                          predicted ? dem::Scheme::verlet_predicted : dem::Scheme::verlet_half_step,
+                      .dt = s.dt};
     if (s.plates.bottom) p.bottom = plate(*s.plates.bottom);
     if (const auto* lid = std::get_if<scene::PrescribedPlate>(&s.plates.lid)) p.lid = plate(*lid);
     if (const auto* lid = std::get_if<scene::FreeLid>(&s.plates.lid)) {

@@ -55,7 +55,9 @@ void for_every_law(Check check) {
         for (const auto scheme : {dem::Scheme::verlet_half_step, dem::Scheme::verlet_predicted}) {
             auto p = free_discs(law, 1e-3);
             p.scheme = scheme;
-            BOOST_TEST_CONTEXT(law.name) { check(p); }
+            BOOST_TEST_CONTEXT(law.name) {
+                check(p);
+            }
         }
     }
 }

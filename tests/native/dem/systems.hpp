@@ -106,8 +106,8 @@ inline dem::State after(const dem::Parameters& p, dem::State state, std::int64_t
 
 /// Largest difference of any position or velocity of a grain or the lid.
 inline double largest_difference(const dem::State& a, const dem::State& b) {
-    double largest = std::max(std::abs(a.lid_height - b.lid_height),
-                              std::abs(a.lid_velocity - b.lid_velocity));
+    double largest =
+        std::max(std::abs(a.lid_height - b.lid_height), std::abs(a.lid_velocity - b.lid_velocity));
     const auto compare = [&](const std::vector<double>& p, const std::vector<double>& q) {
         for (std::size_t i = 0; i < p.size(); ++i) {
             // Written so that a NaN is a difference.

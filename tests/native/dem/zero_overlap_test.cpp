@@ -26,7 +26,9 @@ double sliding_speed(const LawVariant& law, double distance) {
 
 BOOST_AUTO_TEST_CASE(grains_at_exactly_one_diameter_do_not_interact) {
     for (const auto& law : law_variants) {
-        BOOST_TEST_CONTEXT(law.name) { BOOST_TEST(sliding_speed(law, 2.0) == 1.0); }
+        BOOST_TEST_CONTEXT(law.name) {
+            BOOST_TEST(sliding_speed(law, 2.0) == 1.0);
+        }
     }
 }
 
