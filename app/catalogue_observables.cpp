@@ -61,7 +61,7 @@ EstimatorPointer make_displacement_spectrum(const Scene& scene, const Observable
 }
 
 template <class Estimator>
-EstimatorPointer make_plain(const Scene& scene, const ObservableRequest&) {
+EstimatorPointer make_plain(const Scene& scene, const ObservableRequest& /*no options*/) {
     return std::make_unique<Estimator>(scene);
 }
 

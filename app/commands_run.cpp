@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -21,6 +22,7 @@ namespace {
 
 /// What happened besides the results, on stderr; and the exit code.
 int close_session(const SessionReport& report, const Settings& settings) {
+    std::fflush(stdout);  // where both go to one file, the results come first
     if (!report.store_error.empty()) {
         fmt::print(stderr, "error: {}; the results above are complete but not stored\n",
                    report.store_error);
@@ -109,10 +111,11 @@ int validate(const Settings& settings, std::stop_token stop) {
     print_cases(report, settings);
     if (report.interrupted) return close_session(report, settings);
     write_report_files(report, store, settings);
+    const int code = close_session(report, settings);
     if (!settings.quiet) {
         fmt::print(stderr, "report: {}\n", (settings.results / "report/index.html").string());
     }
-    return close_session(report, settings);
+    return code;
 }
 
 int write_report(const Settings& settings, bool open) {

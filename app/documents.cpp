@@ -113,6 +113,7 @@ json pair_json(const CertificatePair& pair) {
             {"b", pair.b},
             {"contact_time", pair.contact_time},
             {"max_dx", pair.max_dx},
+            {"curve", {{"columns", {"t", "max_dx"}}, {"values", {pair.curve_t, pair.curve_dx}}}},
             {"digits", std::move(digits)},
             {"limits", pair.limits},
             {"max_dh", pair.max_dh},

@@ -32,9 +32,10 @@ struct CertificatePair {
     std::string case_name, a, b;
     double contact_time = 0;
     double diameter = 0;
-    std::map<std::string, double> max_dx;  ///< by contact times, e.g. "10"
-    std::map<std::string, double> limits;  ///< of max_dx, where a check states one
-    std::map<std::string, double> max_dh;  ///< lid height, by time window, e.g. "0-6"
+    std::map<std::string, double> max_dx;   ///< after 1, 10, 100, ... contact times
+    std::vector<double> curve_t, curve_dx;  ///< time and max |dx| at every snapshot
+    std::map<std::string, double> limits;   ///< of max_dx, where a check states one
+    std::map<std::string, double> max_dh;   ///< lid height, by time window, e.g. "0-6"
     std::map<std::string, double> limits_dh;
     compare::Outcome outcome = compare::Outcome::undecided;
     bool expected = true;

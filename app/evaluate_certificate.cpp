@@ -23,6 +23,11 @@ std::string window_name(const catalog::Check& check) {
     return fmt::format("{:g}-{:g}", *check.from, *check.to);
 }
 
+bool is_power_of_ten(double count) {
+    const double exponent = std::log10(count);
+    return std::abs(exponent - std::round(exponent)) < 1e-9;
+}
+
 /// The snapshots a case asks for, in contact times.
 std::vector<double> snapshot_times(const catalog::Case& the_case) {
     for (const auto& request : the_case.observables) {
@@ -40,9 +45,11 @@ void add_snapshots(const CaseRuns& runs, std::size_t variant, CertificatePair& p
         const auto* in_a = compare::find_snapshot(a->results, count * pair.contact_time);
         const auto* in_b = compare::find_snapshot(b->results, count * pair.contact_time);
         if (in_a == nullptr || in_b == nullptr) continue;
-        if (const auto difference = compare::largest_difference(*in_a, *in_b)) {
-            pair.max_dx[fmt::format("{:g}", count)] = *difference;
-        }
+        const auto difference = compare::largest_difference(*in_a, *in_b);
+        if (!difference) continue;
+        pair.curve_t.push_back(count * pair.contact_time);
+        pair.curve_dx.push_back(*difference);
+        if (is_power_of_ten(count)) pair.max_dx[fmt::format("{:g}", count)] = *difference;
     }
 }
 

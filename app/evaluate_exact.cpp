@@ -58,7 +58,7 @@ Deviations deviations(const CaseRuns& runs, const catalog::Check& check, const s
 
 compare::Rung rung_of(const Deviation& deviation) {
     const auto& m = deviation.combined.measurement;
-    const double n = static_cast<double>(m.n);
+    const auto n = static_cast<double>(m.n);
     const double scatter = m.standard_error * std::sqrt(std::max(0.0, n - 1));
     const double rms = std::hypot(deviation.error, scatter);
     return {.dt = deviation.dt,
@@ -74,7 +74,7 @@ compare::Rung rung_of(const Deviation& deviation) {
 constexpr double same_rung = 1.1;
 
 compare::Rung pool(const std::vector<compare::Rung>& rungs) {
-    const double n = static_cast<double>(rungs.size());
+    const auto n = static_cast<double>(rungs.size());
     compare::Rung pooled;
     double mean_variance = 0;
     double mean_square = 0;
@@ -95,6 +95,7 @@ compare::Rung pool(const std::vector<compare::Rung>& rungs) {
 /// Largest time step first.
 std::vector<compare::Rung> pooled_rungs(const std::vector<Deviation>& deviations) {
     std::vector<compare::Rung> single;
+    single.reserve(deviations.size());
     for (const auto& deviation : deviations)
         single.push_back(rung_of(deviation));
     std::sort(single.begin(), single.end(),

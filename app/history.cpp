@@ -48,8 +48,8 @@ std::vector<HistorySeries> history_of(std::vector<store::HistoryPoint> points) {
                              .observable = group.front().observable,
                              .unit = group.front().unit,
                              .settings_json = group.front().settings_json,
-                             .seed = group.front().seed,
-                             .points = std::move(group)};
+                             .seed = group.front().seed};
+        series.points = std::move(group);
         judge(series);
         result.push_back(std::move(series));
     }

@@ -150,7 +150,7 @@ void refuse_future_commands(int argc, char** argv) {
 /// validate, report and compare are about the quick suite unless told otherwise; the others about
 /// the case as it is written.
 void choose_suite(const CLI::App& command, Arguments& arguments) {
-    const std::string name = command.get_name();
+    const std::string& name = command.get_name();
     const bool quick_by_default = name == "validate" || name == "report" || name == "compare";
     const bool quick = arguments.suite.empty() ? quick_by_default : arguments.suite == "quick";
     arguments.settings.suite = quick ? catalog::Suite::quick : catalog::Suite::full;

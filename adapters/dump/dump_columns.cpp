@@ -85,7 +85,7 @@ Row Columns::read(std::string_view line) const {
             row.id = parse<std::int64_t>(word, "id");
             continue;
         }
-        const double value = parse<double>(word, meaning_names[index]);
+        const auto value = parse<double>(word, meaning_names[index]);
         if (!std::isfinite(value)) {
             throw TrajectoryError(
                 fmt::format("'{}' in column {} is not finite", word, meaning_names[index]));

@@ -1,21 +1,13 @@
 #include "adapters/liggghts/liggghts_code.hpp"
 
-#include "adapters/dump/data_writer.hpp"
+#include "adapters/lammps_family/family_script.hpp"
 #include "adapters/liggghts/liggghts_script.hpp"
-#include "adapters/process/find_program.hpp"
-#include "adapters/program/error_line.hpp"
-
-#include <fmt/format.h>
 
 #include <string_view>
-#include <utility>
 
 namespace crossgrain::adapters {
 
 namespace {
-
-constexpr const char* script_name = "in.liggghts";
-constexpr const char* data_name = "data.txt";
 
 /// "3.8.0" from the help's "LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0, compiled ...".
 std::string version_in(const std::string& help) {
@@ -29,23 +21,12 @@ std::string version_in(const std::string& help) {
 
 }  // namespace
 
-LiggghtsCode::LiggghtsCode(std::string program) : program_(std::move(program)) {}
+std::vector<std::string> LiggghtsCode::version_arguments() const {
+    return {"-h", "-log", "none"};
+}
 
-Availability LiggghtsCode::probe() const {
-    const std::scoped_lock lock(mutex_);
-    if (availability_) return *availability_;
-    Availability found;
-    constexpr double time_limit = 20;
-    if (!process::find_program(program_)) {
-        found.reason = fmt::format("no '{}' on PATH", program_);
-    } else if (const auto help = process::output_of({program_, "-h", "-log", "none"}, time_limit);
-               !help) {
-        found.reason = fmt::format("'{} -h' does not run", program_);
-    } else {
-        found = {.installed = true, .version = version_in(*help), .reason = {}};
-    }
-    availability_ = found;
-    return found;
+Availability LiggghtsCode::availability_from(const std::string& help) const {
+    return {.installed = true, .version = version_in(help)};
 }
 
 std::vector<std::string> LiggghtsCode::features() const {
@@ -62,7 +43,7 @@ std::optional<std::string> LiggghtsCode::cannot_express(const scene::Scene& scen
         return "fix nve evaluates the dashpots at the half-step velocity only "
                "(integrator verlet-half-step would be expressible)";
     }
-    if (has_tangential_dashpot(scene.contact) &&
+    if (lammps_family::has_tangential_dashpot(scene.contact) &&
         scene.contact.clipping == scene::Clipping::normal_only) {
         return "limitForce cuts the tangential dashpot together with the normal force "
                "(clipping none or all would be expressible)";
@@ -70,23 +51,8 @@ std::optional<std::string> LiggghtsCode::cannot_express(const scene::Scene& scen
     return std::nullopt;
 }
 
-std::vector<InputFile> LiggghtsCode::input(const scene::Scene& scene) const {
-    return {{.name = script_name, .text = liggghts_script(scene, data_name, dump_name)},
-            {.name = data_name, .text = dump::data_file(scene)}};
-}
-
-std::vector<std::string> LiggghtsCode::command_line() const {
-    return {program_, "-in", script_name, "-log", "none", "-nocite"};
-}
-
-std::vector<std::string> LiggghtsCode::environment() const {
-    return {"OMP_NUM_THREADS=1"};
-}
-
-std::optional<std::string> LiggghtsCode::error_in(const std::string& stdout_text,
-                                                  const std::string& stderr_text) const {
-    const auto found = line_starting_with(stdout_text, "ERROR");
-    return found ? found : line_starting_with(stderr_text, "ERROR");
+std::string LiggghtsCode::script(const scene::Scene& scene, const std::string& data_name) const {
+    return liggghts_script(scene, data_name, dump_name);
 }
 
 }  // namespace crossgrain::adapters

@@ -13,7 +13,4 @@ namespace crossgrain::adapters {
 [[nodiscard]] std::string liggghts_script(const scene::Scene& scene, const std::string& data_name,
                                           const std::string& dump_name);
 
-/// Whether the law has a dashpot along the contact (full-vector damping with eta > 0).
-[[nodiscard]] bool has_tangential_dashpot(const scene::ContactLaw& law);
-
 }  // namespace crossgrain::adapters

@@ -103,16 +103,41 @@ void judge(const process::Result& result, const std::optional<std::string>& erro
 
 }  // namespace
 
+ProgramCode::ProgramCode(std::string program) : program_(std::move(program)) {}
+
+std::vector<std::string> ProgramCode::command_line(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), program_);
+    return arguments;
+}
+
+std::optional<std::string> ProgramCode::why_missing() const {
+    if (process::find_program(program_)) return std::nullopt;
+    return fmt::format("no '{}' on PATH", program_);
+}
+
+Availability ProgramCode::probe() const {
+    const std::scoped_lock lock(mutex_);
+    if (!availability_) availability_ = ask();
+    return *availability_;
+}
+
+Availability ProgramCode::ask() const {
+    constexpr double time_limit = 30;
+    if (auto reason = why_missing()) return {.reason = std::move(*reason)};
+    const auto question = command_line(version_arguments());
+    const auto answer = process::output_of(question, time_limit);
+    if (!answer) return {.reason = fmt::format("'{}' does not run", fmt::join(question, " "))};
+    return availability_from(*answer);
+}
+
 RunCost ProgramCode::run(const scene::Scene& scene, const RunOptions& options,
                          const scene::FrameSink& sink) const {
-    const std::vector<std::string> argv = command_line();
+    const std::vector<std::string> argv = command_line(run_arguments());
     const FailureReport failure(name(), argv, options.directory);
     if (const auto reason = cannot_express(scene)) {
         throw failure("cannot express this scene: " + *reason, "not started");
     }
-    if (!process::find_program(argv.front())) {
-        throw failure(fmt::format("no '{}' on PATH", argv.front()), "not started");
-    }
+    if (const auto reason = why_missing()) throw failure(*reason, "not started");
     for (const auto& file : input(scene))
         write_file(options.directory / file.name, file.text);
     TrajectoryStream trajectory(scene, sink,

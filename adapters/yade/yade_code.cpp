@@ -1,6 +1,5 @@
 #include "adapters/yade/yade_code.hpp"
 
-#include "adapters/process/find_program.hpp"
 #include "adapters/program/error_line.hpp"
 #include "adapters/yade/scene_script.hpp"
 #include "adapters/yade/yade_errors.hpp"
@@ -9,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <utility>
 #include <variant>
 
 namespace crossgrain::adapters {
@@ -43,24 +41,13 @@ bool has_plates(const scene::Scene& scene) {
 
 }  // namespace
 
-YadeCode::YadeCode(std::string program) : program_(std::move(program)) {}
+std::vector<std::string> YadeCode::version_arguments() const {
+    return {"--version"};
+}
 
-Availability YadeCode::probe() const {
-    const std::scoped_lock lock(mutex_);
-    if (availability_) return *availability_;
-    Availability found;
-    constexpr double time_limit = 30;
-    if (!process::find_program(program_)) {
-        found.reason = fmt::format("no '{}' on PATH", program_);
-    } else if (const auto text = process::output_of({program_, "--version"}, time_limit); !text) {
-        found.reason = fmt::format("'{} --version' does not run", program_);
-    } else if (const auto version = version_in(*text); !version) {
-        found.reason = fmt::format("'{} --version' does not name a version of YADE", program_);
-    } else {
-        found = {.installed = true, .version = *version, .reason = {}};
-    }
-    availability_ = found;
-    return found;
+Availability YadeCode::availability_from(const std::string& answer) const {
+    if (const auto version = version_in(answer)) return {.installed = true, .version = *version};
+    return {.reason = fmt::format("'{} --version' does not name a version of YADE", program())};
 }
 
 std::vector<std::string> YadeCode::features() const {
@@ -91,8 +78,8 @@ std::vector<InputFile> YadeCode::input(const scene::Scene& scene) const {
     return files;
 }
 
-std::vector<std::string> YadeCode::command_line() const {
-    return {program_, "-n", "-x", "-j1", script_name};
+std::vector<std::string> YadeCode::run_arguments() const {
+    return {"-n", "-x", "-j1", script_name};
 }
 
 std::vector<std::string> YadeCode::environment() const {

@@ -4,9 +4,9 @@
 
 #include "adapters/program/program_code.hpp"
 
-#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crossgrain::adapters {
@@ -14,10 +14,9 @@ namespace crossgrain::adapters {
 class YadeCode final : public ProgramCode {
   public:
     /// `program`: name on PATH or path of the executable.
-    explicit YadeCode(std::string program = "yade");
+    explicit YadeCode(std::string program = "yade") : ProgramCode(std::move(program)) {}
 
     [[nodiscard]] std::string name() const override { return "yade"; }
-    [[nodiscard]] Availability probe() const override;
     [[nodiscard]] std::vector<std::string> features() const override;
     [[nodiscard]] std::optional<std::string>
     cannot_express(const scene::Scene& scene) const override;
@@ -25,15 +24,12 @@ class YadeCode final : public ProgramCode {
     [[nodiscard]] std::vector<InputFile> input(const scene::Scene& scene) const override;
 
   protected:
-    [[nodiscard]] std::vector<std::string> command_line() const override;
+    [[nodiscard]] std::vector<std::string> version_arguments() const override;
+    [[nodiscard]] Availability availability_from(const std::string& answer) const override;
+    [[nodiscard]] std::vector<std::string> run_arguments() const override;
     [[nodiscard]] std::vector<std::string> environment() const override;
     [[nodiscard]] std::optional<std::string>
     error_in(const std::string& stdout_text, const std::string& stderr_text) const override;
-
-  private:
-    std::string program_;
-    mutable std::mutex mutex_;
-    mutable std::optional<Availability> availability_;  // asked once per object
 };
 
 }  // namespace crossgrain::adapters

@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -27,10 +28,9 @@ namespace {
 class ShellCode final : public adapters::ProgramCode {
   public:
     explicit ShellCode(std::string script, std::string program = "sh")
-        : script_(std::move(script)), program_(std::move(program)) {}
+        : ProgramCode(std::move(program)), script_(std::move(script)) {}
 
     [[nodiscard]] std::string name() const override { return "shell"; }
-    [[nodiscard]] Availability probe() const override { return {.installed = true}; }
     [[nodiscard]] std::vector<std::string> features() const override { return {}; }
     [[nodiscard]] std::optional<std::string>
     cannot_express(const scene::Scene& scene) const override {
@@ -41,10 +41,18 @@ class ShellCode final : public adapters::ProgramCode {
         return {{.name = "run.sh", .text = script_}};
     }
 
+    [[nodiscard]] int times_asked() const { return times_asked_; }
+
   protected:
-    [[nodiscard]] std::vector<std::string> command_line() const override {
-        return {program_, "run.sh"};
+    [[nodiscard]] std::vector<std::string> version_arguments() const override {
+        return {"-c", "echo shell 7"};
     }
+    [[nodiscard]] Availability availability_from(const std::string& answer) const override {
+        ++times_asked_;
+        if (answer != "shell 7\n") return {.reason = "'" + program() + "' is no shell"};
+        return {.installed = true, .version = "7"};
+    }
+    [[nodiscard]] std::vector<std::string> run_arguments() const override { return {"run.sh"}; }
     [[nodiscard]] std::vector<std::string> environment() const override { return {"LAST=2"}; }
     [[nodiscard]] std::optional<std::string> error_in(const std::string& out,
                                                       const std::string&) const override {
@@ -52,7 +60,8 @@ class ShellCode final : public adapters::ProgramCode {
     }
 
   private:
-    std::string script_, program_;
+    std::string script_;
+    mutable std::atomic<int> times_asked_ = 0;
 };
 
 /// Frames at steps 0, 1, 2.
@@ -94,6 +103,33 @@ Outcome outcome_of(const ShellCode& code, const scene::Scene& scene = short_pair
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(program_is_asked_once_what_it_is) {
+    const ShellCode code(good);
+    {
+        std::vector<std::jthread> askers;
+        for (int i = 0; i < 4; ++i)
+            askers.emplace_back([&code] { (void)code.probe(); });
+    }
+    BOOST_TEST(code.probe().installed);
+    BOOST_TEST(code.probe().version == "7");
+    BOOST_TEST(code.times_asked() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(program_of_no_use_has_a_reason) {
+    const auto reason = [](const std::string& program) {
+        const auto availability = ShellCode(good, program).probe();
+        BOOST_TEST(!availability.installed);
+        return availability.reason;
+    };
+    BOOST_TEST(reason("crossgrain-no-such-program") == "no 'crossgrain-no-such-program' on PATH");
+    BOOST_TEST(reason("true") == "'true' is no shell");
+    const tests::TemporaryDirectory directory;
+    const auto broken = directory.path() / "broken";
+    std::ofstream(broken) << "#!/crossgrain/no/such/interpreter\n";
+    std::filesystem::permissions(broken, std::filesystem::perms::owner_all);
+    BOOST_TEST(reason(broken.string()) == "'" + broken.string() + " -c echo shell 7' does not run");
+}
 
 BOOST_AUTO_TEST_CASE(a_good_run_delivers_and_reports_its_cost) {
     const tests::TemporaryDirectory directory;

@@ -1,0 +1,70 @@
+#include "adapters/lammps_family/family_script.hpp"
+
+#include <numbers>
+#include <variant>
+
+namespace crossgrain::adapters::lammps_family {
+
+bool has_tangential_dashpot(const scene::ContactLaw& law) {
+    return law.damping_acts_on == scene::Damping::full_vector && law.damping > 0;
+}
+
+void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocities) {
+    line("# {}", scene_.name);
+    line("units lj");
+    line("dimension 2");
+    // Shrink-wrapped where the scene is open: nothing can leave.
+    line("boundary {} {} p", scene_.periodic_x ? 'p' : 's', scene_.periodic_y ? 'p' : 's');
+    line("atom_style {}", atom_style);
+    if (types_.lid > 0) line("atom_modify map array");
+    line("newton off");
+    line("{}", ghost_velocities);
+    // A few grains in the open may fly far apart: bins over all that space would fill the memory.
+    constexpr std::size_t few = 64;
+    line("neighbor {:.17g} {}", scene_.grains.diameter / 4,
+         scene_.grain_count() <= few ? "nsq" : "bin");
+    line("neigh_modify delay 0 every 1 check yes");
+}
+
+void FamilyScript::add_state(const std::string& data_name) {
+    line("read_data {}", data_name);
+    line("set type {} mass {:.17g}", types_.grain, scene_.grains.mass);
+    if (types_.frozen > 0) line("set type {} mass {:.17g}", types_.frozen, scene_.grains.mass);
+    line("group grains type {}", types_.grain);
+    if (types_.lid > 0) {
+        line("set type {} mass {:.17g}", types_.lid,
+             std::get<scene::FreeLid>(scene_.plates.lid).mass);
+        line("group lid type {}", types_.lid);
+    }
+    line("group moving type {}{}", types_.grain,
+         types_.lid > 0 ? fmt::format(" {}", types_.lid) : "");
+}
+
+void FamilyScript::add_exclusions() {
+    if (types_.frozen > 0) line("neigh_modify exclude type {0} {0}", types_.frozen);
+    if (types_.lid > 0) {
+        line("neigh_modify exclude type {} {}", types_.grain, types_.lid);
+        if (types_.frozen > 0) line("neigh_modify exclude type {} {}", types_.frozen, types_.lid);
+    }
+}
+
+void FamilyScript::add_motion(const char* integration) {
+    line("timestep {:.17g}", scene_.dt);
+    line("fix motion moving {}", integration);
+    if (scene_.gravity > 0) line("fix weight moving gravity {:.17g} vector 0 -1 0", scene_.gravity);
+}
+
+std::string FamilyScript::height_formula(const scene::PrescribedPlate& plate, double offset) const {
+    const std::string mean = fmt::format("{:.17g}", plate.height + offset);
+    if (plate.amplitude == 0) return mean;
+    // The same order of operations as scene::height_at, so that the phase agrees to the last digit.
+    return fmt::format("{}+{:.17g}*cos({:.17g}*(step*{:.17g}))", mean, plate.amplitude,
+                       2.0 * std::numbers::pi / plate.period, scene_.dt);
+}
+
+void FamilyScript::add_dump(const std::string& dump_name, const char* number_format) {
+    line("dump frames all custom {} {} id type xu yu vx vy", scene_.frame_every, dump_name);
+    line("dump_modify frames sort id format {}", number_format);
+}
+
+}  // namespace crossgrain::adapters::lammps_family

@@ -1,0 +1,58 @@
+// What the input scripts of LAMMPS and of its fork LIGGGHTS have in common: all but the contact
+// law, the plates and a few words that the fork renamed. Holds only what the scene needs: no
+// gravity, lid or third type unless it has them.
+#pragma once
+
+#include "adapters/dump/data_writer.hpp"
+#include "cases/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace crossgrain::adapters::lammps_family {
+
+/// Whether the law has a dashpot along the contact (full-vector damping with eta > 0).
+[[nodiscard]] bool has_tangential_dashpot(const scene::ContactLaw& law);
+
+/// A script in the making; each code adds its own lines between the common ones.
+class FamilyScript {
+  public:
+    /// `scene` must outlive the script.
+    explicit FamilyScript(const scene::Scene& scene)
+        : scene_(scene), types_(dump::atom_types(scene)) {}
+
+    /// `ghost_velocities`: the command that makes ghost atoms carry velocities.
+    void add_setup(const char* atom_style, const char* ghost_velocities);
+    /// Atoms, masses, and the groups grains, lid (if there is one) and moving.
+    void add_state(const std::string& data_name);
+    /// Pairs that do not touch each other: two frozen grains, the lid's atom and any grain.
+    void add_exclusions();
+    /// `integration`: the style of the fix that moves grains and lid, e.g. "nve".
+    void add_motion(const char* integration);
+    /// `number_format`: arguments of dump_modify that make all numbers have 17 digits.
+    void add_dump(const std::string& dump_name, const char* number_format);
+    [[nodiscard]] std::string text() const { return fmt::to_string(text_); }
+
+  protected:
+    template <class... Arguments>
+    void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+        text_.push_back('\n');
+    }
+    /// Formula of an equal-style variable: the height at `offset` from a prescribed plate. A plain
+    /// number when the plate is at rest.
+    [[nodiscard]] std::string height_formula(const scene::PrescribedPlate& plate,
+                                             double offset) const;
+    [[nodiscard]] const scene::Scene& scene() const noexcept { return scene_; }
+    [[nodiscard]] const dump::AtomTypes& types() const noexcept { return types_; }
+
+  private:
+    const scene::Scene& scene_;
+    dump::AtomTypes types_;
+    fmt::memory_buffer text_;
+};
+
+}  // namespace crossgrain::adapters::lammps_family
