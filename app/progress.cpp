@@ -68,7 +68,7 @@ void Progress::redraw() {
     std::fflush(stderr);
 }
 
-void Progress::clear_line() {
+void Progress::clear_line() const {
     if (terminal_ && !quiet_) fmt::print(stderr, "\r\033[K");
 }
 

@@ -24,7 +24,7 @@ class Progress {
 
   private:
     void redraw();
-    void clear_line();
+    void clear_line() const;
     [[nodiscard]] double work_done() const;
 
     using Clock = std::chrono::steady_clock;

@@ -176,7 +176,7 @@ void Runner::execute(PlannedRun& run, Progress& progress) {
 
 void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& progress) {
     const auto estimators = make_estimators(*run.owner, *run.scene);
-    const double steps = static_cast<double>(run.scene->steps);
+    const auto steps = static_cast<double>(run.scene->steps);
     const std::string name = label(run);
     const auto sink = [&](const scene::Frame& frame) {
         for (const auto& estimator : estimators)

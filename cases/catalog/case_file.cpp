@@ -129,7 +129,7 @@ TomlTable Case::Source::scene_table(std::size_t variant) const {
     std::vector<const toml::table*> layers;
     const auto add = [&](const toml::table* owner) {
         if (owner == nullptr) return;
-        if (const auto* scene = sub_table(*owner, "scene")) layers.push_back(scene);
+        if (const auto* layer = sub_table(*owner, "scene")) layers.push_back(layer);
     };
     if (const auto* variants = root.get("variant")) {
         if (const auto* array = variants->as_array()) add((*array)[variant].as_table());
