@@ -131,8 +131,8 @@ TomlTable Case::Source::scene_table(std::size_t variant) const {
         if (owner == nullptr) return;
         if (const auto* layer = sub_table(*owner, "scene")) layers.push_back(layer);
     };
-    if (const auto* variants = root.get("variant")) {
-        if (const auto* array = variants->as_array()) add((*array)[variant].as_table());
+    if (const auto* entries = root.get("variant")) {
+        if (const auto* array = entries->as_array()) add((*array)[variant].as_table());
     }
     if (quick) add(sub_table(root, "quick"));
     add(&root);
