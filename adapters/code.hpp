@@ -1,10 +1,10 @@
 // The one interface behind which every code stands, native engine or foreign program.
 #pragma once
 
-#include "cases/scene/frame.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/scene/any_scene.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -46,15 +46,26 @@ class Code {
     [[nodiscard]] virtual Availability probe() const = 0;
     /// What it can express, in the scene's own words, for `crossgrain codes`.
     [[nodiscard]] virtual std::vector<std::string> features() const = 0;
-    /// Why it cannot run this scene exactly, or nothing if it can. Never approximates.
-    [[nodiscard]] virtual std::optional<std::string>
-    cannot_express(const scene::Scene& scene) const = 0;
-    /// The complete input, file by file, a pure function of the scene.
-    [[nodiscard]] virtual std::vector<InputFile> input(const scene::Scene& scene) const = 0;
-    /// Runs the scene and streams its frames, checked by a FrameGuard.
-    /// Throws AdapterError when the run does not deliver, Interrupted when stopped.
-    virtual RunCost run(const scene::Scene& scene, const RunOptions& options,
-                        const scene::FrameSink& sink) const = 0;
 };
+
+/// A code that runs one kind of scene: `scene::Scene`, `scene::LatticeGas`, ...
+template <class SceneT> class CodeFor : public Code {
+  public:
+    using Frame = typename scene::FrameOf<SceneT>::type;
+    using Sink = std::function<void(const Frame&)>;
+
+    /// Why it cannot run this scene exactly, or nothing if it can. Never approximates.
+    [[nodiscard]] virtual std::optional<std::string> cannot_express(const SceneT& scene) const = 0;
+    /// The complete input, file by file, a pure function of the scene.
+    [[nodiscard]] virtual std::vector<InputFile> input(const SceneT& scene) const = 0;
+    /// Runs the scene and streams its frames (those of grains checked by a FrameGuard).
+    /// Throws AdapterError when the run does not deliver, Interrupted when stopped.
+    virtual RunCost run(const SceneT& scene, const RunOptions& options, const Sink& sink) const = 0;
+};
+
+using GrainCode = CodeFor<scene::Scene>;
+using GasCode = CodeFor<scene::LatticeGas>;
+using SignalCode = CodeFor<scene::SyntheticSignal>;
+using HopperCode = CodeFor<scene::HopperAutomaton>;
 
 }  // namespace crossgrain::adapters

@@ -4,6 +4,9 @@
 #include "adapters/lammps/lammps_code.hpp"
 #include "adapters/liggghts/liggghts_code.hpp"
 #include "adapters/native/native_dem_code.hpp"
+#include "adapters/native/native_gas_code.hpp"
+#include "adapters/native/native_hopper_code.hpp"
+#include "adapters/synthetic/signal_code.hpp"
 #include "adapters/yade/yade_code.hpp"
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
@@ -19,6 +22,9 @@ const std::vector<std::unique_ptr<adapters::Code>>& codes() {
     static const auto all = [] {
         std::vector<std::unique_ptr<adapters::Code>> list;
         list.push_back(std::make_unique<adapters::NativeDemCode>(program_version()));
+        list.push_back(std::make_unique<adapters::NativeGasCode>(program_version()));
+        list.push_back(std::make_unique<adapters::NativeHopperCode>(program_version()));
+        list.push_back(std::make_unique<adapters::SyntheticSignalCode>(program_version()));
         list.push_back(std::make_unique<adapters::LammpsCode>());
         list.push_back(std::make_unique<adapters::LiggghtsCode>());
         list.push_back(std::make_unique<adapters::YadeCode>());

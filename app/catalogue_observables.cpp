@@ -1,19 +1,21 @@
 #include "app/catalogue.hpp"
+#include "app/estimators.hpp"
 
 #include "cases/measure/displacement_spectrum.hpp"
 #include "cases/measure/energy_balance.hpp"
+#include "cases/measure/flow_depth.hpp"
+#include "cases/measure/lattice_order.hpp"
 #include "cases/measure/lid_height.hpp"
 #include "cases/measure/momentum.hpp"
 #include "cases/measure/pair_collision.hpp"
 #include "cases/measure/plate_bounce.hpp"
 #include "cases/measure/trajectory.hpp"
-#include "cases/toml/toml_table.hpp"
-#include "native/base/errors.hpp"
+#include "cases/measure/velocity_spectrum.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
+#include <optional>
+#include <stdexcept>
 
 namespace crossgrain::app {
 namespace {
@@ -45,15 +47,54 @@ EstimatorPointer make_lid_height(const Scene& scene, const ObservableRequest& re
 }
 
 EstimatorPointer make_energy_balance(const Scene& scene, const ObservableRequest& request) {
-    return std::make_unique<measure::EnergyBalance>(
-        scene, measure::EnergyBalanceOptions{.skip = number_or(request, "skip", 0)});
+    measure::EnergyBalanceOptions options{.skip = number_or(request, "skip", 0)};
+    options.samples_per_frame =
+        static_cast<int>(number_or(request, "samples_per_frame", options.samples_per_frame));
+    return std::make_unique<measure::EnergyBalance>(scene, options);
+}
+
+std::vector<double> numbers_of(const ObservableRequest& request, const char* option) {
+    const auto found = request.options.find(option);
+    return found == request.options.end() ? std::vector<double>{} : found->second.numbers;
+}
+
+std::optional<double> number_of(const ObservableRequest& request, const char* option) {
+    const std::vector<double> numbers = numbers_of(request, option);
+    return numbers.empty() ? std::nullopt : std::optional(numbers.front());
+}
+
+EstimatorPointer make_velocity_spectrum(const Scene& scene, const ObservableRequest& request) {
+    measure::VelocitySpectrumOptions options{.clock = number_or(request, "clock", 0),
+                                             .times = numbers_of(request, "at"),
+                                             .phases = numbers_of(request, "phases"),
+                                             .skip = number_or(request, "skip", 0),
+                                             .from = number_of(request, "from"),
+                                             .to = number_of(request, "to")};
+    options.k_min = static_cast<int>(number_or(request, "k_min", options.k_min));
+    options.k_max = static_cast<int>(number_or(request, "k_max", options.k_max));
+    return std::make_unique<measure::VelocitySpectrum>(scene, options);
+}
+
+EstimatorPointer make_flow_depth(const Scene& scene, const ObservableRequest& request) {
+    measure::FlowDepthOptions options{.skip = number_or(request, "skip", 0)};
+    options.share = number_or(request, "share", options.share);
+    return std::make_unique<measure::FlowDepth>(scene, options);
+}
+
+/// Throws std::invalid_argument for an unknown word.
+measure::Crossing crossing_of(const ObservableRequest& request) {
+    const auto found = request.options.find("crossing");
+    const std::string word = found == request.options.end() ? "upward" : found->second.text;
+    if (word == "upward") return measure::Crossing::upward;
+    if (word == "downward") return measure::Crossing::downward;
+    if (word == "either") return measure::Crossing::either;
+    throw std::invalid_argument(
+        fmt::format("crossing is \"{}\", not \"upward\", \"downward\" or \"either\"", word));
 }
 
 EstimatorPointer make_displacement_spectrum(const Scene& scene, const ObservableRequest& request) {
     measure::DisplacementSpectrumOptions options{.spacing = number_or(request, "spacing", 0),
-                                                 .crossing = number_or(request, "downward", 0) != 0
-                                                                 ? measure::Crossing::downward
-                                                                 : measure::Crossing::upward,
+                                                 .crossing = crossing_of(request),
                                                  .skip = number_or(request, "skip", 0)};
     options.k_min = static_cast<int>(number_or(request, "k_min", options.k_min));
     options.k_max = static_cast<int>(number_or(request, "k_max", options.k_max));
@@ -65,46 +106,10 @@ EstimatorPointer make_plain(const Scene& scene, const ObservableRequest& /*no op
     return std::make_unique<Estimator>(scene);
 }
 
-const ObservableEntry& entry_for(const catalog::Case& the_case, const ObservableRequest& request) {
-    std::vector<std::string> names;
-    for (const auto& entry : observables()) {
-        if (entry.name == request.name) return entry;
-        names.push_back(entry.name);
-    }
-    const auto near = toml_input::nearest(request.name, names);
-    throw CaseError({.file = the_case.file,
-                     .line = request.line,
-                     .column = request.column,
-                     .key = "observable.name",
-                     .problem = "is not known",
-                     .got = fmt::format("\"{}\"", request.name),
-                     .expected = fmt::format("one of {}", fmt::join(names, ", ")),
-                     .hint = near ? fmt::format("did you mean \"{}\"?", *near) : ""});
-}
-
-void check_options(const catalog::Case& the_case, const ObservableRequest& request,
-                   const ObservableEntry& entry) {
-    for (const auto& [name, option] : request.options) {
-        if (std::find(entry.options.begin(), entry.options.end(), name) != entry.options.end()) {
-            continue;
-        }
-        const auto near = toml_input::nearest(name, entry.options);
-        throw CaseError({.file = the_case.file,
-                         .line = option.line,
-                         .column = option.column,
-                         .key = "observable." + name,
-                         .problem = fmt::format("is not an option of '{}'", request.name),
-                         .expected = entry.options.empty()
-                                         ? "no option"
-                                         : fmt::format("one of {}", fmt::join(entry.options, ", ")),
-                         .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
-    }
-}
-
 }  // namespace
 
-const std::vector<ObservableEntry>& observables() {
-    static const std::vector<ObservableEntry> all{
+const std::vector<GrainObservable>& grain_observables() {
+    static const std::vector<GrainObservable> all{
         {"pair-collision",
          "restitution, contact_time, speed_ratio, angular_momentum_ratio of isolated pairs",
          {},
@@ -119,40 +124,49 @@ const std::vector<ObservableEntry>& observables() {
          make_trajectory},
         {"momentum", "momentum_drift_x, momentum_drift_y", {}, make_plain<measure::Momentum>},
         {"energy-balance",
-         "energy_residual, mean_energy, mean_energy_input, mean_dissipation; energies against time",
-         {"skip"},
+         "energy_residual, mean_energy, mean_energy_input, mean_dissipation, energy_above_ground, "
+         "input_per_period, energy_per_input; energies against time",
+         {"skip", "samples_per_frame"},
          make_energy_balance},
         {"lid-height", "mean_lid_height; h(t), bottom and spacing", {"skip"}, make_lid_height},
         {"displacement-spectrum",
-         "S(K, Y) by groups of layers, slope_..., slope_tail_..., displacement_vectors",
-         {"spacing", "skip", "downward", "k_min", "k_max"},
+         "S(K, Y) by groups of layers, slope_..., slope_tail_..., displacement_vectors, the last "
+         "vector of every grain",
+         {"spacing", "skip", "crossing", "k_min", "k_max"},
          make_displacement_spectrum},
+        {"velocity-spectrum",
+         "E(K, t) of a lattice at times, phases or over a window: velocity_slope_..., "
+         "transverse_energy_...; slopes against time",
+         {"clock", "at", "phases", "skip", "from", "to", "k_min", "k_max"},
+         make_velocity_spectrum},
+        {"lattice-order",
+         "foreign_contacts, lattice_kept_until: whether rows slid through each other",
+         {},
+         make_plain<measure::LatticeOrder>},
+        {"flow-depth",
+         "flow_depth, flowing_layers, lost_bonds of a vibrated bed; lost bonds by layer",
+         {"skip", "share"},
+         make_flow_depth},
     };
     return all;
 }
 
-std::vector<EstimatorPointer> make_estimators(const catalog::Case& the_case, const Scene& scene) {
-    std::vector<EstimatorPointer> estimators;
-    for (const auto& request : the_case.observables) {
-        const ObservableEntry& entry = entry_for(the_case, request);
-        check_options(the_case, request, entry);
-        try {
-            estimators.push_back(entry.make(scene, request));
-        } catch (const std::invalid_argument& error) {
-            throw CaseError({.file = the_case.file,
-                             .line = request.line,
-                             .column = request.column,
-                             .key = "observable",
-                             .problem = fmt::format("'{}' cannot be measured: {}", request.name,
-                                                    error.what())});
-        }
-    }
-    return estimators;
+std::vector<ObservableText> observable_texts() {
+    std::vector<ObservableText> texts;
+    const auto add = [&](const char* model, const auto& entries) {
+        for (const auto& entry : entries)
+            texts.push_back({entry.name, model, entry.measures, entry.options});
+    };
+    add("grains", grain_observables());
+    add("lattice-gas", gas_observables());
+    add("hopper-automaton", hopper_observables());
+    return texts;
 }
 
 void check_observables(const catalog::Case& the_case) {
-    for (const auto& request : the_case.observables) {
-        check_options(the_case, request, entry_for(the_case, request));
+    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+        std::visit([&](const auto& scene) { (void)make_estimators(the_case, scene); },
+                   the_case.scene(variant, 0, 1));
     }
 }
 

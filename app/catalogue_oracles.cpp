@@ -13,6 +13,7 @@ namespace crossgrain::app {
 namespace {
 
 using scene::Scene;
+using scene::SyntheticSignal;
 
 /// The first pair of a scene of isolated pairs, as two bodies.
 analytic::ObliqueContact contact_of(const Scene& scene) {
@@ -90,18 +91,33 @@ const std::map<std::string, Oracle>& oracles() {
          [](const Scene& s) { return pair_collision(s).angular_momentum_ratio; }},
         {"analytic:plate_restitution", [](const Scene&) { return 1.0; }},
         {"analytic:plate_contact_time", plate_contact_time},
-        {"analytic:zero", [](const Scene&) { return 0.0; }},
+    };
+    return all;
+}
+
+/// A calibration signal's own parameters are its exact answers.
+const std::map<std::string, double (*)(const SyntheticSignal&)>& signal_oracles() {
+    static const std::map<std::string, double (*)(const SyntheticSignal&)> all{
+        {"analytic:signal_exponent", [](const SyntheticSignal& s) { return s.exponent; }},
+        {"analytic:signal_velocity", [](const SyntheticSignal& s) { return s.wave_velocity; }},
     };
     return all;
 }
 
 }  // namespace
 
-std::optional<double> exact_value(const std::string& name, const Scene& scene) {
+std::optional<double> exact_value(const std::string& name, const scene::AnyScene& scene) {
+    if (name == "analytic:zero") return 0.0;
+    if (const auto* signal = std::get_if<SyntheticSignal>(&scene)) {
+        const auto found = signal_oracles().find(name);
+        return found == signal_oracles().end() ? std::nullopt
+                                               : std::optional(found->second(*signal));
+    }
+    const auto* grains = std::get_if<Scene>(&scene);
     const auto found = oracles().find(name);
-    if (found == oracles().end()) return std::nullopt;
+    if (grains == nullptr || found == oracles().end()) return std::nullopt;
     try {
-        const double value = found->second(scene);
+        const double value = found->second(*grains);
         return std::isfinite(value) ? std::optional(value) : std::nullopt;
     } catch (const std::domain_error&) {
         return std::nullopt;
@@ -109,8 +125,10 @@ std::optional<double> exact_value(const std::string& name, const Scene& scene) {
 }
 
 std::vector<std::string> oracle_names() {
-    std::vector<std::string> names;
+    std::vector<std::string> names{"analytic:zero"};
     for (const auto& [name, oracle] : oracles())
+        names.push_back(name);
+    for (const auto& [name, oracle] : signal_oracles())
         names.push_back(name);
     return names;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace crossgrain::app {
 
@@ -36,6 +37,11 @@ int read_dump(const Settings& settings, const ReadRequest& request);
 
 /// Pages from the store. `open` starts the desktop's browser.
 int write_report(const Settings& settings, bool open);
+/// Speed side by side; all benches if none is named.
+int run_benches(const Settings& settings, const std::vector<std::string>& names, bool quick,
+                std::stop_token stop);
+/// Thresholds and maps of where methods stop working.
+int map_stability(const Settings& settings, std::stop_token stop);
 /// Drift of every observable and cost over the store.
 int show_history(const Settings& settings);
 

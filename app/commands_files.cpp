@@ -2,7 +2,9 @@
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/documents.hpp"
+#include "app/estimators.hpp"
 #include "app/evaluate.hpp"
+#include "app/model_runs.hpp"
 #include "app/plan.hpp"
 #include "app/session.hpp"
 #include "app/tables.hpp"
@@ -48,7 +50,7 @@ std::size_t variant_index(const catalog::Case& the_case, const std::string& name
 /// Streams the dump through the same guard and the same estimators as any run.
 store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& request,
                               std::size_t variant, std::uint64_t seed) {
-    const scene::Scene scene = the_case.scene(variant, request.rung - 1, seed);
+    const scene::Scene scene = the_case.grain_scene(variant, request.rung - 1, seed);
     const auto estimators = make_estimators(the_case, scene);
     scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
         for (const auto& estimator : estimators)
@@ -88,14 +90,14 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
     int written = 0;
     std::string refusal;
     for (const auto& run : plan(*the_case, select_codes(settings.codes), settings)) {
-        if (const auto reason = run.code->cannot_express(*run.scene)) {
-            fmt::print(stderr, "not_expressible: {}: {}\n", run.scene->name, *reason);
+        if (const auto reason = cannot_express(*run.code, *run.scene)) {
+            fmt::print(stderr, "not_expressible: {}: {}\n", scene::name_of(*run.scene), *reason);
             continue;
         }
-        std::string name = fmt::format("{}-seed{}", run.scene->name, run.record.seed);
+        std::string name = fmt::format("{}-seed{}", scene::name_of(*run.scene), run.record.seed);
         std::replace(name.begin(), name.end(), '/', '-');
         std::filesystem::create_directories(out / name);
-        for (const auto& file : run.code->input(*run.scene)) {
+        for (const auto& file : input_of(*run.code, *run.scene)) {
             std::ofstream stream(out / name / file.name);
             stream << file.text;
             if (!stream.flush()) {
@@ -112,6 +114,12 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
 
 int read_dump(const Settings& settings, const ReadRequest& request) {
     const auto the_case = the_one_case(settings);
+    if (the_case->model != "grains") {
+        throw CaseError({.file = the_case->file,
+                         .key = "read",
+                         .problem = fmt::format("is a case of a {}", the_case->model),
+                         .expected = "a case of grains: only these have dumps"});
+    }
     const std::size_t variant = variant_index(*the_case, request.variant);
     if (request.rung < 1 || request.rung > the_case->variants[variant].rungs) {
         throw CaseError({.key = "--rung",

@@ -44,6 +44,7 @@ int list_cases(const Settings& settings) {
         for (const auto& variant : found.variants)
             variants.push_back(variant.name);
         list.push_back({{"case", found.name},
+                        {"model", found.model},
                         {"title", found.title},
                         {"source", found.source},
                         {"suites", found.suites},
@@ -61,11 +62,14 @@ int list_cases(const Settings& settings) {
 
 int list_observables(const Settings& settings) {
     nlohmann::json list = nlohmann::json::array();
-    TextTable table({"observable", "measures", "options"});
-    for (const auto& entry : observables()) {
-        list.push_back(
-            {{"observable", entry.name}, {"measures", entry.measures}, {"options", entry.options}});
-        table.add({entry.name, entry.measures, fmt::format("{}", fmt::join(entry.options, ", "))});
+    TextTable table({"observable", "model", "measures", "options"});
+    for (const auto& entry : observable_texts()) {
+        list.push_back({{"observable", entry.name},
+                        {"model", entry.model},
+                        {"measures", entry.measures},
+                        {"options", entry.options}});
+        table.add({entry.name, entry.model, entry.measures,
+                   fmt::format("{}", fmt::join(entry.options, ", "))});
     }
     if (settings.json) {
         fmt::print(

@@ -70,12 +70,25 @@ json order_json(const ConvergenceCurve& curve) {
             {"settings", {{"of", curve.observable}}}};
 }
 
-json verdict_json(const compare::Verdict& v) {
+/// The reading of a model's rules that a verdict is about, where the case sweeps over readings: the
+/// first component of its variant.
+std::string reading_of(const catalog::Case& the_case, const compare::Verdict& verdict) {
+    const std::string first = verdict.setting.substr(0, verdict.setting.find_first_of("/,"));
+    for (const auto& variant : the_case.variants) {
+        if (variant.parameters.empty()) continue;
+        const auto& [key, value] = variant.parameters.front();
+        if (key == "reading" && value == first) return value;
+    }
+    return {};
+}
+
+json verdict_json(const catalog::Case& the_case, const compare::Verdict& v) {
     return {{"code", v.code},
             {"observable", v.observable},
             {"kind", compare::to_string(v.kind)},
             {"against", v.against},
             {"setting", v.setting},
+            {"reading", reading_of(the_case, v)},
             {"difference", v.difference},
             {"uncertainty", v.uncertainty},
             {"limit", v.limit},
@@ -96,7 +109,7 @@ json case_json(const CaseReport& item) {
         measurements.push_back(order_json(curve));
     json verdicts = json::array();
     for (const auto& v : item.evaluation.verdicts)
-        verdicts.push_back(verdict_json(v));
+        verdicts.push_back(verdict_json(*item.the_case, v));
     return {{"case", item.the_case->name},
             {"runs", std::move(runs)},
             {"measurements", std::move(measurements)},
@@ -145,9 +158,10 @@ json series_json(const CaseReport& item) {
         if (run.status != "ok" || run.replica != 0) continue;
         for (const auto& series : run.results.series) {
             if (series.name == "collisions") continue;
-            json entry{{"code", run.code},          {"variant", run.variant},
-                       {"replica", run.replica},    {"name", series.name},
-                       {"columns", series.columns}, {"values", series.values}};
+            json entry{{"code", run.code},       {"variant", run.variant},
+                       {"replica", run.replica}, {"rung", run.rung},
+                       {"name", series.name},    {"columns", series.columns},
+                       {"values", series.values}};
             if (!series.units.empty()) entry["units"] = series.units;
             all.push_back(std::move(entry));
         }
@@ -162,6 +176,73 @@ json series_json(const CaseReport& item) {
                        {"values", {curve.dt, curve.mean_error, curve.rms_error}}});
     }
     return all;
+}
+
+/// Pictures of the first replica of each code, with their pixels.
+json pictures_json(const CaseReport& item) {
+    json all = json::array();
+    for (const auto& run : item.runs.records()) {
+        if (run.status != "ok" || run.replica != 0) continue;
+        for (const auto& picture : run.results.pictures) {
+            json entry = store::picture_to_json(picture);
+            entry["code"] = run.code;
+            entry["variant"] = run.variant;
+            entry["rung"] = run.rung;
+            all.push_back(std::move(entry));
+        }
+    }
+    return all;
+}
+
+json findings_json(const CaseReport& item) {
+    json all = json::array();
+    for (const auto& run : item.runs.records()) {
+        if (run.status != "ok") continue;
+        for (const auto& finding : run.results.findings) {
+            all.push_back({{"code", run.code},
+                           {"variant", run.variant},
+                           {"replica", run.replica},
+                           {"rung", run.rung},
+                           {"name", finding.name},
+                           {"label", finding.label},
+                           {"detail", finding.detail}});
+        }
+    }
+    return all;
+}
+
+/// What a variant's name says beyond the sweep: of "P/density=2/rough" in a sweep over two keys,
+/// "rough", the name of the written variant.
+std::string written_part(const catalog::Variant& variant) {
+    std::string rest = variant.name;
+    for (std::size_t key = 0; key < variant.parameters.size(); ++key) {
+        const auto slash = rest.find('/');
+        if (slash == std::string::npos) return {};
+        rest.erase(0, slash + 1);
+    }
+    return rest;
+}
+
+/// The keys of the sweep in their order, and each variant's values. Written variants of a swept
+/// case are one more key, "variant".
+void add_sweep(const catalog::Case& the_case, json& entry) {
+    json keys = json::array();
+    for (const auto& [key, value] : the_case.variants.front().parameters)
+        keys.push_back(key);
+    const bool swept = !keys.empty();
+    json variants = json::array();
+    for (const auto& variant : the_case.variants) {
+        json parameters = json::object();
+        for (const auto& [key, value] : variant.parameters)
+            parameters[key] = value;
+        if (const auto rest = written_part(variant); swept && !rest.empty()) {
+            if (keys.back() != "variant") keys.push_back("variant");
+            parameters["variant"] = rest;
+        }
+        variants.push_back({{"name", variant.name}, {"parameters", std::move(parameters)}});
+    }
+    entry["sweep"] = std::move(keys);
+    entry["variants"] = std::move(variants);
 }
 
 }  // namespace
@@ -231,7 +312,11 @@ json report_document(const SessionReport& report, const std::vector<HistorySerie
         entry["text"] = item.the_case->text;
         entry["source"] = item.the_case->source;
         entry["figures"] = figures_json(*item.the_case);
+        entry["model"] = item.the_case->model;
         entry["series"] = series_json(item);
+        entry["pictures"] = pictures_json(item);
+        entry["findings"] = findings_json(item);
+        add_sweep(*item.the_case, entry);
         cases.push_back(std::move(entry));
     }
     const Machine machine = this_machine();

@@ -1,6 +1,6 @@
 #include "app/evaluate.hpp"
 
-#include "cases/scene/scene.hpp"
+#include "cases/scene/any_scene.hpp"
 
 #include <algorithm>
 #include <set>
@@ -31,7 +31,7 @@ void collect_measurements(const CaseRuns& runs, Evaluation& evaluation) {
             for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
                 const auto* first = runs.find(code, variant, rung, 0);
                 if (first == nullptr) continue;
-                const double dt = the_case.scene(variant, rung, first->seed).dt;
+                const double dt = scene::time_step_of(the_case.scene(variant, rung, first->seed));
                 for (const auto& m : first->results.measurements) {
                     if (auto all = runs.combined(code, variant, rung, m.observable)) {
                         evaluation.measurements.push_back(
@@ -53,10 +53,12 @@ std::vector<std::size_t> variants_of(const catalog::Case& the_case, const catalo
     std::vector<std::size_t> result;
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
         const auto& wanted = check.variants;
-        if (wanted.empty() || std::find(wanted.begin(), wanted.end(),
-                                        the_case.variants[variant].name) != wanted.end()) {
-            result.push_back(variant);
-        }
+        const std::string& name = the_case.variants[variant].name;
+        const bool asked =
+            wanted.empty() || std::any_of(wanted.begin(), wanted.end(), [&](const auto& pattern) {
+                return catalog::matches(pattern, name);
+            });
+        if (asked) result.push_back(variant);
     }
     return result;
 }
@@ -96,6 +98,11 @@ void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t var
             wanted = found->second;
         }
     }
+    for (const auto& [pattern, outcome_there] : check.expect_in) {
+        if (catalog::matches(pattern, runs.the_case().variants[variant].name)) {
+            wanted = outcome_there;
+        }
+    }
     const bool known_gap = outcome == Outcome::not_expressible &&
                            (runs.known_not_expressible(verdict.code, variant) ||
                             (!other.empty() && runs.known_not_expressible(other, variant)));
@@ -126,7 +133,11 @@ Evaluation evaluate(const CaseRuns& runs, const published::PublishedValues& lite
             evaluate_agree(runs, check, evaluation);
             break;
         case catalog::CheckKind::published:
-            evaluate_published(runs, check, literature, evaluation);
+            if (catalog::is_trend(check.aspect)) {
+                evaluate_trend(runs, check, literature, evaluation);
+            } else {
+                evaluate_published(runs, check, literature, evaluation);
+            }
             break;
         }
     }

@@ -65,6 +65,8 @@ void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluati
 void evaluate_agree(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
 void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
                         const published::PublishedValues& literature, Evaluation& evaluation);
+void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
+                    const published::PublishedValues& literature, Evaluation& evaluation);
 /// To be called after the parity checks.
 void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation);
 
@@ -77,6 +79,8 @@ void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation);
 [[nodiscard]] compare::Verdict blank_verdict(const catalog::Case& the_case,
                                              const catalog::Check& check, const std::string& code,
                                              std::size_t variant);
+/// What a check against the literature names, without "published:".
+[[nodiscard]] std::string published_id(const catalog::Check& check);
 /// Sets the outcome, its reason, and whether the catalogue expects it. `other` is the second code
 /// of a pair, or empty.
 void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,

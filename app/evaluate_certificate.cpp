@@ -94,7 +94,7 @@ void add_check(const catalog::Check& check, const compare::Verdict& verdict,
 void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation) {
     const auto& the_case = runs.the_case();
     if (std::none_of(the_case.checks.begin(), the_case.checks.end(), certifies)) return;
-    const auto scene = the_case.scene(0, 0, 1);
+    const auto scene = the_case.grain_scene(0, 0, 1);
     const auto& codes = runs.codes();
     for (std::size_t i = 0; i < codes.size(); ++i) {
         for (std::size_t j = i + 1; j < codes.size(); ++j) {

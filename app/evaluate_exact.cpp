@@ -51,7 +51,8 @@ Deviations deviations(const CaseRuns& runs, const catalog::Check& check, const s
                     .problem = Outcome::no_reference,
                     .reason = fmt::format("no '{}' for this scene", check.against)};
         }
-        result.rungs.push_back({scene.dt, combined->measurement.value - *exact, *combined});
+        result.rungs.push_back(
+            {scene::time_step_of(scene), combined->measurement.value - *exact, *combined});
     }
     return result;
 }

@@ -66,7 +66,9 @@ std::optional<double> variant_difference(const CaseRuns& runs, const catalog::Ch
     const auto& the_case = runs.the_case();
     std::optional<double> largest;
     for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
-        const double contact_time = scene::contact_time(the_case.scene(variant, rung, 1));
+        const scene::AnyScene scene = the_case.scene(variant, rung, 1);
+        const auto* grains = std::get_if<scene::Scene>(&scene);
+        const double contact_time = grains == nullptr ? 0 : scene::contact_time(*grains);
         const auto replicas =
             std::min(runs.replicas(a, variant, rung), runs.replicas(b, variant, rung));
         for (std::int64_t replica = 0; replica < replicas; ++replica) {
@@ -149,30 +151,67 @@ void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluati
     }
 }
 
+namespace {
+
+/// Two measurements of the same observable: equivalent within the margin?
+void judge_equivalence(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+                       const std::string& other, const std::optional<compare::Combined>& a,
+                       const std::optional<compare::Combined>& b, compare::Verdict& verdict) {
+    if (!a || !b) {
+        return conclude(runs, check, variant, other, Outcome::undecided,
+                        fmt::format("'{}' was not measured by both", check.observable), verdict);
+    }
+    const double error_a = a->measurement.standard_error;
+    const double error_b = b->measurement.standard_error;
+    const auto answer =
+        compare::equivalence({.difference = a->measurement.value - b->measurement.value,
+                              .standard_error = std::hypot(error_a, error_b),
+                              .degrees_of_freedom = compare::welch_degrees_of_freedom(
+                                  error_a, a->degrees_of_freedom, error_b, b->degrees_of_freedom),
+                              .margin = verdict.limit});
+    verdict.difference = a->measurement.value - b->measurement.value;
+    verdict.uncertainty = answer.half_width_95;
+    conclude(runs, check, variant, other, answer.outcome, answer.reason, verdict);
+}
+
+std::optional<std::size_t> variant_named(const catalog::Case& the_case, const std::string& name) {
+    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+        if (the_case.variants[variant].name == name) return variant;
+    }
+    return std::nullopt;  // left out of the quick suite
+}
+
+/// The same code in two variants of the case.
+void evaluate_between(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
+    const auto a = variant_named(runs.the_case(), check.between[0]);
+    const auto b = variant_named(runs.the_case(), check.between[1]);
+    if (!a || !b) return;
+    for (const auto& code : codes_of(runs, check)) {
+        auto verdict = blank_verdict(runs.the_case(), check, code, *a);
+        verdict.against = fmt::format("variant {}", check.between[1]);
+        auto absence = runs.absence(code, *a);
+        if (!absence) absence = runs.absence(code, *b);
+        if (absence) {
+            conclude(runs, check, *a, "", absence->outcome, absence->reason, verdict);
+        } else {
+            judge_equivalence(runs, check, *a, "", runs.combined(code, *a, 0, check.observable),
+                              runs.combined(code, *b, 0, check.observable), verdict);
+        }
+        evaluation.verdicts.push_back(std::move(verdict));
+    }
+}
+
+}  // namespace
+
 void evaluate_agree(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
-    for_each_pair(
-        runs, check, evaluation,
-        [&](std::size_t variant, const std::string& a, const std::string& b,
-            compare::Verdict& verdict) {
-            const auto of_a = runs.combined(a, variant, 0, check.observable);
-            const auto of_b = runs.combined(b, variant, 0, check.observable);
-            if (!of_a || !of_b) {
-                return conclude(runs, check, variant, b, Outcome::undecided,
-                                fmt::format("'{}' was not measured by both", check.observable),
-                                verdict);
-            }
-            const double error_a = of_a->measurement.standard_error;
-            const double error_b = of_b->measurement.standard_error;
-            const auto answer = compare::equivalence(
-                {.difference = of_a->measurement.value - of_b->measurement.value,
-                 .standard_error = std::hypot(error_a, error_b),
-                 .degrees_of_freedom = compare::welch_degrees_of_freedom(
-                     error_a, of_a->degrees_of_freedom, error_b, of_b->degrees_of_freedom),
-                 .margin = verdict.limit});
-            verdict.difference = of_a->measurement.value - of_b->measurement.value;
-            verdict.uncertainty = answer.half_width_95;
-            conclude(runs, check, variant, b, answer.outcome, answer.reason, verdict);
-        });
+    if (!check.between.empty()) return evaluate_between(runs, check, evaluation);
+    for_each_pair(runs, check, evaluation,
+                  [&](std::size_t variant, const std::string& a, const std::string& b,
+                      compare::Verdict& verdict) {
+                      judge_equivalence(runs, check, variant, b,
+                                        runs.combined(a, variant, 0, check.observable),
+                                        runs.combined(b, variant, 0, check.observable), verdict);
+                  });
 }
 
 }  // namespace crossgrain::app

@@ -50,6 +50,8 @@ struct Arguments {
     std::string out;
     app::ReadRequest read;
     bool open = false;
+    std::vector<std::string> benches;
+    bool quick_bench = false;
 };
 
 void add_selection(CLI::App& command, Arguments& arguments) {
@@ -126,6 +128,16 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     report->add_flag("--open", a.open, "show the page in a browser");
     add("history", "every observable and cost over the store; exit code 1 on drift",
         [](Arguments& x, auto) { return app::show_history(x.settings); });
+    auto* bench = add("bench", "speed side by side, in one run", [](Arguments& x, auto stop) {
+        return app::run_benches(x.settings, x.benches, x.quick_bench, std::move(stop));
+    });
+    bench->add_option("NAME", a.benches, "lga, hopper, dem (default: all)");
+    bench->add_flag("--quick", a.quick_bench, "shorter runs, figures are less certain");
+    auto* stability = add("stability", "where methods stop working", [](Arguments& x, auto stop) {
+        return app::map_stability(x.settings, std::move(stop));
+    });
+    add_selection(*stability, a);
+    add_execution(*stability, a);
     auto* validate = add("validate", "run a suite, judge it, write the report",
                          [](Arguments& x, std::stop_token stop) {
                              return app::validate(x.settings, std::move(stop));
@@ -137,8 +149,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
 
 /// Commands of the interface that do not exist yet are refused by name, not as a typing error.
 void refuse_future_commands(int argc, char** argv) {
-    constexpr std::array<std::string_view, 6> future{"chart", "stability",   "advise",
-                                                     "bench", "regressions", "selftest"};
+    constexpr std::array<std::string_view, 4> future{"chart", "advise", "regressions", "selftest"};
     const auto* command =
         std::find_if(argv + 1, argv + argc, [](const char* word) { return word[0] != '-'; });
     if (command == argv + argc) return;

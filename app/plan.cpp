@@ -1,6 +1,7 @@
 #include "app/plan.hpp"
 
-#include "cases/scene/scene_json.hpp"
+#include "app/model_runs.hpp"
+#include "native/base/errors.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,7 +45,7 @@ void settle_without_running(PlannedRun& run, const adapters::Availability& avail
     if (!available.installed) {
         record.status = "not_installed";
         record.reason = available.reason;
-    } else if (const auto refusal = run.code->cannot_express(*run.scene)) {
+    } else if (const auto refusal = cannot_express(*run.code, *run.scene)) {
         record.status = "not_expressible";
         record.reason = *refusal;
     } else {
@@ -54,39 +55,57 @@ void settle_without_running(PlannedRun& run, const adapters::Availability& avail
 }
 
 PlannedRun planned_run(const catalog::Case& the_case, const adapters::Code& code,
-                       std::shared_ptr<const scene::Scene> scene, const Settings& settings) {
+                       std::shared_ptr<const scene::AnyScene> scene, const Settings& settings) {
     PlannedRun run{.owner = &the_case,
                    .code = &code,
                    .scene = std::move(scene),
                    .time_limit = settings.time_limit.value_or(the_case.time_limit)};
     run.record.case_name = the_case.name;
     run.record.code = code.name();
-    run.record.seed = run.scene->seed;
+    run.record.seed = scene::seed_of(*run.scene);
     run.record.settings_json = scene::settings_json(*run.scene).dump();
-    run.record.work =
-        static_cast<double>(run.scene->grain_count()) * static_cast<double>(run.scene->steps);
+    auto [amount, unit] = scene::work_of(*run.scene);
+    run.record.work = amount;
+    run.record.work_unit = std::move(unit);
     return run;
+}
+
+std::vector<const adapters::Code*> codes_for(const catalog::Case& the_case,
+                                             const std::vector<const adapters::Code*>& selected) {
+    std::vector<const adapters::Code*> suited;
+    for (const auto* code : selected) {
+        if (runs_model(*code, the_case.model)) suited.push_back(code);
+    }
+    if (suited.empty()) {
+        throw CaseError({.file = the_case.file,
+                         .key = "--code",
+                         .problem = fmt::format("names no code that runs a {}", the_case.model),
+                         .expected = "a code of the case's model",
+                         .hint = "see 'crossgrain codes'"});
+    }
+    return suited;
 }
 
 }  // namespace
 
 std::string run_key(const PlannedRun& run) {
     // The scene's name is a label: renaming a case must not recompute it.
-    scene::Scene unnamed = *run.scene;
-    unnamed.name.clear();
-    nlohmann::json identity{{"scene", scene::to_json(unnamed)},
+    scene::AnyScene unnamed = *run.scene;
+    std::visit([](auto& s) { s.name.clear(); }, unnamed);
+    nlohmann::json identity{{"scene", scene::identity_json(unnamed)},
                             {"observables", observables_json(*run.owner)},
                             {"code", run.code->name()},
                             {"version", run.record.version},
                             {"program", program_version()}};
-    for (const auto& file : run.code->input(unnamed))
+    for (const auto& file : input_of(*run.code, unnamed))
         identity["input"][file.name] = file.text;
     return sha256(identity.dump());
 }
 
 std::vector<PlannedRun> plan(const catalog::Case& the_case,
-                             const std::vector<const adapters::Code*>& codes,
+                             const std::vector<const adapters::Code*>& selected,
                              const Settings& settings) {
+    const auto codes = codes_for(the_case, selected);
     std::map<const adapters::Code*, adapters::Availability> availability;
     std::int64_t most = 0;
     const auto replicas_of = [&](const adapters::Code* code) {
@@ -100,7 +119,7 @@ std::vector<PlannedRun> plan(const catalog::Case& the_case,
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
         for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
             for (std::int64_t replica = 0; replica < most; ++replica) {
-                const auto scene = std::make_shared<const scene::Scene>(the_case.scene(
+                const auto scene = std::make_shared<const scene::AnyScene>(the_case.scene(
                     variant, rung, settings.seed + static_cast<std::uint64_t>(replica)));
                 for (const auto* code : codes) {
                     if (replica >= replicas_of(code)) continue;

@@ -16,7 +16,7 @@ namespace crossgrain::app {
 struct PlannedRun {
     const catalog::Case* owner = nullptr;
     const adapters::Code* code = nullptr;
-    std::shared_ptr<const scene::Scene> scene;  ///< shared by all codes
+    std::shared_ptr<const scene::AnyScene> scene;  ///< shared by all codes
     std::size_t variant = 0;
     std::size_t rung = 0;
     std::int64_t replica = 0;
@@ -26,7 +26,8 @@ struct PlannedRun {
     store::RunRecord record;
 };
 
-/// Replicas of a code share their seeds with the other codes: replica r has seed + r.
+/// Only codes that run the case's model take part; throws CaseError if none of those asked for
+/// does. Replicas of a code share their seeds with the other codes: replica r has seed + r.
 [[nodiscard]] std::vector<PlannedRun> plan(const catalog::Case& the_case,
                                            const std::vector<const adapters::Code*>& codes,
                                            const Settings& settings);

@@ -17,54 +17,61 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(bool quiet, std::size_t runs, double total_work)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), runs_(runs), total_work_(total_work),
-      start_(Clock::now()), drawn_(start_) {}
+Progress::Progress(bool quiet, std::size_t runs, double total_seconds, unsigned workers)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), runs_(runs), total_(total_seconds),
+      start_(Clock::now()), drawn_(start_) {
+    if (quiet_) return;
+    fmt::print(stderr, "{} {} to compute, about {} with {} side by side\n", runs,
+               runs == 1 ? "run" : "runs", duration_text(total_seconds / workers), workers);
+}
 
 Progress::~Progress() {
     clear_line();
 }
 
-void Progress::advanced(const std::string& run, double work, double fraction) {
+void Progress::advanced(const std::string& run, double seconds, double fraction) {
     const std::lock_guard lock(mutex_);
-    running_work_[run] = work * fraction;
+    running_[run] = seconds * fraction;
     using namespace std::chrono_literals;
     if (quiet_ || !terminal_ || Clock::now() - drawn_ < 200ms) return;
     redraw();
 }
 
-void Progress::finished(const std::string& run, double work, const std::string& how) {
+void Progress::finished(const std::string& run, double seconds, const std::string& how) {
     const std::lock_guard lock(mutex_);
-    running_work_.erase(run);
-    ended_work_ += work;
+    running_.erase(run);
+    ended_seconds_ += seconds;
     ++ended_;
     if (quiet_) return;
     if (terminal_) {
         redraw();
         return;
     }
-    fmt::print(stderr, "[{}/{}] {}: {}\n", ended_, runs_, run, how);
+    fmt::print(stderr, "[{}/{}, {} left] {}: {}\n", ended_, runs_, time_left(), run, how);
 }
 
-double Progress::work_done() const {
-    double done = ended_work_;
-    for (const auto& [run, work] : running_work_)
-        done += work;
-    return done;
+double Progress::fraction_done() const {
+    double done = ended_seconds_;
+    for (const auto& [run, seconds] : running_)
+        done += seconds;
+    return total_ > 0 ? std::min(1.0, done / total_) : 1.0;
+}
+
+std::string Progress::time_left() const {
+    const double fraction = fraction_done();
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    return fraction > 0.01 ? duration_text(elapsed * (1 - fraction) / fraction) : "?";
 }
 
 void Progress::redraw() {
     drawn_ = Clock::now();
-    const double fraction = total_work_ > 0 ? std::min(1.0, work_done() / total_work_) : 1.0;
-    const double elapsed = std::chrono::duration<double>(drawn_ - start_).count();
     constexpr int width = 30;
-    const int filled = static_cast<int>(fraction * width);
+    const int filled = static_cast<int>(fraction_done() * width);
     std::string names;
-    for (const auto& [run, work] : running_work_)
+    for (const auto& [run, seconds] : running_)
         names += " " + run;
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}/{} runs, {} left{:.60}", "", filled, "",
-               width - filled, ended_, runs_,
-               fraction > 0.01 ? duration_text(elapsed * (1 - fraction) / fraction) : "?", names);
+               width - filled, ended_, runs_, time_left(), names);
     std::fflush(stderr);
 }
 

@@ -1,6 +1,8 @@
 #include "app/runner.hpp"
 
-#include "app/catalogue.hpp"
+#include "app/estimators.hpp"
+#include "app/expected_cost.hpp"
+#include "app/model_runs.hpp"
 #include "app/progress.hpp"
 #include "native/base/errors.hpp"
 
@@ -19,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string label(const PlannedRun& run) {
-    std::string text = fmt::format("{} {}", run.scene->name, run.record.code);
+    std::string text = fmt::format("{} {}", scene::name_of(*run.scene), run.record.code);
     if (run.replica > 0) text += fmt::format(" #{}", run.replica + 1);
     return text;
 }
@@ -123,17 +125,16 @@ void Runner::compute_missing() {
         if (run.record.status == "planned") waiting_.push_back(&run);
     }
     if (waiting_.empty()) return;
-    // The longest runs first, and of equal ones the codes at the end of the catalogue, which are
-    // the slowest: so that no processor is left with one long run at the end.
-    std::reverse(waiting_.begin(), waiting_.end());
-    std::stable_sort(waiting_.begin(), waiting_.end(),
-                     [](const auto* a, const auto* b) { return a->record.work > b->record.work; });
-    const double work =
+    // The longest runs first, so that no processor is left with one long run at the end.
+    std::stable_sort(waiting_.begin(), waiting_.end(), [](const auto* a, const auto* b) {
+        return expected_seconds(*a) > expected_seconds(*b);
+    });
+    const double seconds =
         std::accumulate(waiting_.begin(), waiting_.end(), 0.0,
-                        [](double sum, const auto* run) { return sum + run->record.work; });
-    Progress progress(settings_.quiet, waiting_.size(), work);
+                        [](double sum, const auto* run) { return sum + expected_seconds(*run); });
     const unsigned jobs =
         settings_.jobs > 0 ? settings_.jobs : std::max(1U, std::thread::hardware_concurrency());
+    Progress progress(settings_.quiet, waiting_.size(), seconds, jobs);
     std::vector<std::jthread> workers;
     for (unsigned i = 0; i < std::min<std::size_t>(jobs, waiting_.size()); ++i) {
         workers.emplace_back([&] { this->work(progress); });
@@ -171,26 +172,28 @@ void Runner::execute(PlannedRun& run, Progress& progress) {
         how = "run_failed: " + record.reason;
     }
     keep(run);
-    progress.finished(label(run), record.work, how);
+    progress.finished(label(run), expected_seconds(run), how);
 }
 
 void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& progress) {
-    const auto estimators = make_estimators(*run.owner, *run.scene);
-    const auto steps = static_cast<double>(run.scene->steps);
     const std::string name = label(run);
-    const auto sink = [&](const scene::Frame& frame) {
+    const double seconds = expected_seconds(run);
+    const adapters::RunOptions options{.directory = directory.path(),
+                                       .time_limit = run.time_limit,
+                                       .stop = stop_,
+                                       .keep_dump = settings_.keep_dumps};
+    const auto cost = with_code(*run.code, *run.scene, [&](const auto& code, const auto& scene) {
+        const auto estimators = make_estimators(*run.owner, scene);
+        const auto sink = [&](const auto& frame) {
+            for (const auto& estimator : estimators)
+                estimator->add(frame);
+            progress.advanced(name, seconds, progress_of(scene, frame));
+        };
+        const adapters::RunCost spent = code.run(scene, options, sink);
         for (const auto& estimator : estimators)
-            estimator->add(frame);
-        progress.advanced(name, run.record.work, static_cast<double>(frame.step) / steps);
-    };
-    const adapters::RunCost cost = run.code->run(*run.scene,
-                                                 {.directory = directory.path(),
-                                                  .time_limit = run.time_limit,
-                                                  .stop = stop_,
-                                                  .keep_dump = settings_.keep_dumps},
-                                                 sink);
-    for (const auto& estimator : estimators)
-        estimator->finish(run.record.results);
+            estimator->finish(run.record.results);
+        return spent;
+    });
     require_finite(run.record);
     run.record.cpu_s = cost.cpu_s;
     run.record.wall_s = cost.wall_s;

@@ -1,6 +1,7 @@
 #include "app/session.hpp"
 
 #include "app/catalogue.hpp"
+#include "app/model_runs.hpp"
 #include "app/plan.hpp"
 #include "app/runner.hpp"
 
@@ -29,13 +30,18 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
     const std::string directory = (share_directory() / "catalog").string();
     const std::string suite = settings.suite == catalog::Suite::quick ? "quick" : "full";
     std::vector<std::shared_ptr<const catalog::Case>> cases;
+    const auto chosen = select_codes(settings.codes);
     const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;
     for (const auto& name : names) {
         auto found = catalog::find_case(directory, name, settings.suite);
         const bool wanted =
             !settings.cases.empty() ||
             std::find(found.suites.begin(), found.suites.end(), suite) != found.suites.end();
-        if (!wanted) continue;
+        const bool runnable = std::any_of(chosen.begin(), chosen.end(), [&](const auto* code) {
+            return runs_model(*code, found.model);
+        });
+        // A case that was named is refused when it is planned; one of the suite is left out.
+        if (!wanted || (settings.cases.empty() && !runnable)) continue;
         check_names(found);
         cases.push_back(std::make_shared<const catalog::Case>(std::move(found)));
     }

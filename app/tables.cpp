@@ -95,36 +95,50 @@ std::string check_table(const CaseReport& item) {
         const auto& group = groups[key];
         const Verdict& first = *group.front();
         table.add({first.observable, compare::to_string(first.kind), first.setting,
-                   is_pair(first) ? "pairs of codes" : first.against, counts_text(group),
-                   worst_text(group)});
+                   is_pair(first) && !first.against.starts_with("variant ") ? "pairs of codes"
+                                                                            : first.against,
+                   counts_text(group), worst_text(group)});
+    }
+    return table.empty() ? "" : table.text();
+}
+
+std::string finding_table(const CaseReport& item) {
+    TextTable table({"found", "code", "variant", "", ""});
+    for (const auto& run : item.runs.records()) {
+        if (run.replica != 0) continue;
+        for (const auto& finding : run.results.findings)
+            table.add({finding.name, run.code, run.variant, finding.label, finding.detail});
+    }
+    return table.empty() ? "" : table.text();
+}
+
+std::string cost_table(const CaseReport& item) {
+    TextTable table({"cost", "runs", "CPU s", "work per CPU s", ""});
+    for (const auto& code : item.runs.codes()) {
+        double cpu = 0;
+        double work = 0;
+        std::string unit;
+        int count = 0;
+        for (const auto& run : item.runs.records()) {
+            if (run.code != code || run.status != "ok") continue;
+            cpu += run.cpu_s;
+            work += run.work;
+            unit = run.work_unit;
+            ++count;
+        }
+        if (count == 0) continue;
+        table.add({code, std::to_string(count), fmt::format("{:.2f}", cpu),
+                   cpu > 0 ? fmt::format("{:.3g}", work / cpu) : "-", unit});
     }
     return table.empty() ? "" : table.text();
 }
 
 }  // namespace
 
-std::string cost_table(const CaseReport& item) {
-    TextTable table({"cost", "runs", "CPU s", "particle-steps per CPU s"});
-    for (const auto& code : item.runs.codes()) {
-        double cpu = 0;
-        double work = 0;
-        int count = 0;
-        for (const auto& run : item.runs.records()) {
-            if (run.code != code || run.status != "ok") continue;
-            cpu += run.cpu_s;
-            work += run.work;
-            ++count;
-        }
-        if (count == 0) continue;
-        table.add({code, std::to_string(count), fmt::format("{:.2f}", cpu),
-                   cpu > 0 ? fmt::format("{:.3g}", work / cpu) : "-"});
-    }
-    return table.empty() ? "" : table.text();
-}
-
 std::string case_table(const CaseReport& item) {
-    return fmt::format("{}: {}\n{}\n{}\n{}\n", item.the_case->name, item.the_case->title,
-                       measurement_table(item), check_table(item), cost_table(item));
+    return fmt::format("{}: {}\n{}\n{}\n{}\n{}\n", item.the_case->name, item.the_case->title,
+                       measurement_table(item), finding_table(item), check_table(item),
+                       cost_table(item));
 }
 
 std::string verdict_table(const SessionReport& report) {

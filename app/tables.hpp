@@ -15,7 +15,5 @@ namespace crossgrain::app {
 [[nodiscard]] std::string history_table(const std::vector<HistorySeries>& history);
 /// Everything that is neither agreement nor expected, one line each with its reason.
 [[nodiscard]] std::string exceptions_list(const SessionReport& report);
-/// CPU seconds and particle-steps per CPU second of each code.
-[[nodiscard]] std::string cost_table(const CaseReport& item);
 
 }  // namespace crossgrain::app

@@ -3,6 +3,7 @@
 #include "adapters/lammps/lammps_script.hpp"
 #include "adapters/lammps_family/family_script.hpp"
 #include "adapters/program/error_line.hpp"
+#include "adapters/program/native_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,7 @@ std::optional<std::string> LammpsCode::cannot_express(const scene::Scene& scene)
         return "fix nve evaluates the dashpots at the half-step velocity only "
                "(integrator verlet-half-step would be expressible)";
     }
+    if (auto reason = native_choice(scene)) return reason;
     if (tangential_dashpot && law.clipping == scene::Clipping::normal_only) {
         return "limit_damping cuts the tangential dashpot together with the normal force "
                "(clipping none or all would be expressible)";

@@ -58,8 +58,10 @@ std::string FamilyScript::height_formula(const scene::PrescribedPlate& plate, do
     const std::string mean = fmt::format("{:.17g}", plate.height + offset);
     if (plate.amplitude == 0) return mean;
     // The same order of operations as scene::height_at, so that the phase agrees to the last digit.
-    return fmt::format("{}+{:.17g}*cos({:.17g}*(step*{:.17g}))", mean, plate.amplitude,
-                       2.0 * std::numbers::pi / plate.period, scene_.dt);
+    const std::string phase =
+        plate.phase == 0 ? "" : fmt::format("+{:.17g}", scene::phase_angle(plate));
+    return fmt::format("{}+{:.17g}*cos({:.17g}*(step*{:.17g}){})", mean, plate.amplitude,
+                       2.0 * std::numbers::pi / plate.period, scene_.dt, phase);
 }
 
 void FamilyScript::add_dump(const std::string& dump_name, const char* number_format) {

@@ -2,6 +2,7 @@
 
 #include "adapters/lammps_family/family_script.hpp"
 #include "adapters/liggghts/liggghts_script.hpp"
+#include "adapters/program/native_choice.hpp"
 
 #include <string_view>
 
@@ -43,6 +44,7 @@ std::optional<std::string> LiggghtsCode::cannot_express(const scene::Scene& scen
         return "fix nve evaluates the dashpots at the half-step velocity only "
                "(integrator verlet-half-step would be expressible)";
     }
+    if (auto reason = native_choice(scene)) return reason;
     if (lammps_family::has_tangential_dashpot(scene.contact) &&
         scene.contact.clipping == scene::Clipping::normal_only) {
         return "limitForce cuts the tangential dashpot together with the normal force "

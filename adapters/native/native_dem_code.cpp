@@ -29,7 +29,8 @@ double thread_cpu_seconds() {
 dem::MovingPlate moving_plate(const scene::PrescribedPlate& plate) {
     return {.height = plate.height,
             .amplitude = plate.amplitude,
-            .omega = 2.0 * std::numbers::pi / plate.period};
+            .omega = 2.0 * std::numbers::pi / plate.period,
+            .phase = scene::phase_angle(plate)};
 }
 
 dem::AttractiveTail tail(scene::Clipping clipping) {
@@ -42,6 +43,28 @@ dem::AttractiveTail tail(scene::Clipping clipping) {
         return dem::AttractiveTail::normal_force_cut;
     }
     return dem::AttractiveTail::kept;
+}
+
+dem::Scheme scheme(scene::Integrator integrator) {
+    switch (integrator) {
+    case scene::Integrator::verlet_half_step:
+        break;
+    case scene::Integrator::verlet_predicted:
+        return dem::Scheme::verlet_predicted;
+    case scene::Integrator::leapfrog_crank_nicolson:
+        return dem::Scheme::leapfrog_crank_nicolson;
+    case scene::Integrator::semi_implicit_euler:
+        return dem::Scheme::semi_implicit_euler;
+    case scene::Integrator::explicit_euler:
+        return dem::Scheme::explicit_euler;
+    case scene::Integrator::runge_kutta_4:
+        return dem::Scheme::runge_kutta_4;
+    case scene::Integrator::taguchi_euler:
+        return dem::Scheme::taguchi_euler;
+    case scene::Integrator::taguchi_adaptive_euler:
+        return dem::Scheme::taguchi_adaptive_euler;
+    }
+    return dem::Scheme::verlet_half_step;
 }
 
 dem::Parameters parameters(const scene::Scene& scene) {
@@ -62,10 +85,14 @@ dem::Parameters parameters(const scene::Scene& scene) {
             scene.plates.touches == scene::PlateContact::surface ? scene.grains.diameter / 2 : 0.0,
         .bottom = std::nullopt,
         .lid = {},
-        .scheme = scene.integrator == scene::Integrator::verlet_half_step
-                      ? dem::Scheme::verlet_half_step
-                      : dem::Scheme::verlet_predicted,
-        .dt = scene.dt};
+        .scheme = scheme(scene.integrator),
+        .dt = scene.dt,
+        .contacts = scene.contacts == scene::Contacts::neighbour_list
+                        ? dem::Contacts::neighbour_list
+                        : dem::Contacts::lattice_neighbours,
+        .precision = scene.precision == scene::Precision::double_precision
+                         ? dem::Precision::double_precision
+                         : dem::Precision::mixed};
     if (scene.plates.bottom) p.bottom = moving_plate(*scene.plates.bottom);
     if (const auto* plate = std::get_if<scene::PrescribedPlate>(&scene.plates.lid)) {
         p.lid = moving_plate(*plate);
@@ -150,7 +177,11 @@ std::vector<std::string> NativeDemCode::features() const {
             "spins: off",
             "plates: centre or surface; bottom at rest or prescribed; lid prescribed or free",
             "gravity, frozen grains, open or periodic along x and y",
-            "integrator: verlet-half-step, verlet-predicted"};
+            "contacts: neighbour-list, lattice-neighbours",
+            "precision: double, mixed",
+            "integrator: verlet-half-step, verlet-predicted, leapfrog-crank-nicolson, "
+            "semi-implicit-euler, explicit-euler, runge-kutta-4, taguchi-euler, "
+            "taguchi-adaptive-euler"};
 }
 
 std::optional<std::string> NativeDemCode::cannot_express(const scene::Scene& scene) const {
@@ -160,6 +191,13 @@ std::optional<std::string> NativeDemCode::cannot_express(const scene::Scene& sce
     for (const auto& period : {scene.periodic_x, scene.periodic_y}) {
         if (period && *period < 3 * scene.grains.diameter) {
             return "a period below 3 diameters: a grain would meet two images of another";
+        }
+    }
+    if (scene.precision == scene::Precision::mixed) {
+        if (const auto lack = dem::why_not_simd(parameters(scene), initial_state(scene))) {
+            return fmt::format("mixed precision is not there for this scene: {}; precision = "
+                               "\"double\" would be expressible",
+                               *lack);
         }
     }
     return std::nullopt;

@@ -5,7 +5,7 @@
 
 namespace crossgrain::adapters {
 
-class NativeDemCode final : public Code {
+class NativeDemCode final : public GrainCode {
   public:
     /// `version` identifies the build, e.g. "0.1.0 (engine 1a2b3c4d)".
     explicit NativeDemCode(std::string version);

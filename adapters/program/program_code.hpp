@@ -13,7 +13,7 @@
 
 namespace crossgrain::adapters {
 
-class ProgramCode : public Code {
+class ProgramCode : public GrainCode {
   public:
     /// Name of the pipe (in the run's directory) to which the input must direct the dump.
     static constexpr const char* dump_name = "trajectory.dump";

@@ -1,6 +1,7 @@
 #include "adapters/yade/yade_code.hpp"
 
 #include "adapters/program/error_line.hpp"
+#include "adapters/program/native_choice.hpp"
 #include "adapters/yade/scene_script.hpp"
 #include "adapters/yade/yade_errors.hpp"
 #include "cases/scene/scene_json.hpp"
@@ -64,6 +65,7 @@ std::optional<std::string> YadeCode::cannot_express(const scene::Scene& scene) c
         return "NewtonIntegrator evaluates the dashpots at the half-step velocity only "
                "(integrator verlet-half-step would be expressible)";
     }
+    if (auto reason = native_choice(scene)) return reason;
     if (auto reason = too_short(scene.periodic_x, 'x', scene.grains.diameter)) return reason;
     return too_short(scene.periodic_y, 'y', scene.grains.diameter);
 }

@@ -1,13 +1,14 @@
 // A case: a scene in one or several variants, what is looked at, and what it is checked against.
 #pragma once
 
-#include "cases/scene/scene.hpp"
+#include "cases/scene/any_scene.hpp"
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crossgrain::catalog {
@@ -32,20 +33,28 @@ struct ObservableRequest {
 
 enum class CheckKind { exact, parity, agree, published };
 
-/// What an exact check looks at: the value of each run, its limit for dt -> 0 over the rungs of
-/// time steps, or the order at which its error falls with dt.
-enum class Aspect { value, limit, order };
+/// What a check looks at. Exact: the value of each run, its limit for dt -> 0 over the rungs of
+/// time steps, or the order at which its error falls with dt. Published: the value, or its trend
+/// along a key of the sweep.
+enum class Aspect { value, limit, order, constant, increasing, decreasing };
+
+[[nodiscard]] constexpr bool is_trend(Aspect aspect) noexcept {
+    return aspect == Aspect::constant || aspect == Aspect::increasing ||
+           aspect == Aspect::decreasing;
+}
 
 /// One question of a case. Limits carry their reason.
 struct Check {
     CheckKind kind = CheckKind::exact;
     std::string observable;  ///< measurement, series or "trajectory"
     Aspect aspect = Aspect::value;
-    std::string against;                      ///< "analytic:..." or "published:..."
-    double order = 0;                         ///< theoretical order of convergence, Aspect::order
-    std::vector<std::string> variants;        ///< empty: all
-    std::vector<std::string> codes;           ///< empty: all
-    double limit = 0;                         ///< tolerance or equivalence margin, > 0
+    std::string against;                ///< "analytic:..." or "published:..."
+    double order = 0;                   ///< theoretical order of convergence, Aspect::order
+    std::string along;                  ///< key of the sweep a trend is judged over
+    std::vector<std::string> variants;  ///< names or globs ("P/*"); empty: all
+    std::vector<std::string> between;   ///< two variants that must agree in each code; or empty
+    std::vector<std::string> codes;     ///< empty: all
+    double limit = 0;                   ///< tolerance or equivalence margin, > 0
     std::map<std::string, double> limit_for;  ///< by code; a pair takes its largest
     std::string reason;                       ///< why this limit
     std::optional<double> at_contact_times;   ///< time of a trajectory comparison
@@ -53,6 +62,7 @@ struct Check {
     std::string column;                       ///< column of a series that is compared
     std::string expect = "agree";
     std::map<std::string, std::string> expect_for;  ///< by code
+    std::map<std::string, std::string> expect_in;   ///< by variant (glob)
     std::string expect_reason;  ///< required if anything but `agree` is expected
     int line = 0;               ///< of the check in its file
 };
@@ -61,7 +71,14 @@ struct Variant {
     std::string name;                             ///< empty if the case has one variant only
     std::size_t rungs = 1;                        ///< time steps of its ladder
     std::vector<std::string> not_expressible_in;  ///< codes of which the catalogue knows it
+    /// Keys of the sweep with this variant's values, in the sweep's order; empty without a sweep.
+    std::vector<std::pair<std::string, std::string>> parameters;
+
+    [[nodiscard]] std::optional<std::string> parameter(const std::string& key) const;
 };
+
+/// Whether a variant's name matches a pattern in which * stands for any text.
+[[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
 
 /// How many independent runs of a case each code does.
 struct Replicas {
@@ -73,6 +90,8 @@ struct Replicas {
 class Case {
   public:
     std::string name, title, source, text;
+    std::string model =
+        "grains";  ///< "grains", "lattice-gas", "hopper-automaton", "synthetic-signal"
     std::string file;
     std::vector<std::string> suites;  ///< "quick", "full"
     std::vector<Variant> variants;    ///< at least one
@@ -82,21 +101,26 @@ class Case {
     double time_limit = 0;  ///< wall seconds per run
 
     /// The scene of one run. Throws CaseError.
-    [[nodiscard]] scene::Scene scene(std::size_t variant, std::size_t rung,
-                                     std::uint64_t seed) const;
+    [[nodiscard]] scene::AnyScene scene(std::size_t variant, std::size_t rung,
+                                        std::uint64_t seed) const;
+    /// The same for a case of grains.
+    [[nodiscard]] scene::Scene grain_scene(std::size_t variant, std::size_t rung,
+                                           std::uint64_t seed) const;
 
     struct Source;  ///< the parsed file, for scene()
     std::shared_ptr<const Source> parsed;
 };
 
-/// Reads a case file and checks all of it, including every variant's scene. Throws CaseError.
-[[nodiscard]] Case load_case(const std::string& file, Suite suite);
+/// Reads a case file and checks all of it, including every variant's scene. `readings` is the
+/// directory of the shipped readings of the models' rules. Throws CaseError.
+[[nodiscard]] Case load_case(const std::string& file, Suite suite,
+                             const std::string& readings = "");
 
 /// Names of the cases in a catalogue directory, sorted.
 [[nodiscard]] std::vector<std::string> case_names(const std::string& directory);
 
 /// A case by its name in the catalogue or by the path of a case file (anything with a '/' or that
-/// ends in ".toml"). Throws CaseError with the nearest name.
+/// ends in ".toml"). Throws CaseError with the nearest name. Readings are in directory/readings.
 [[nodiscard]] Case find_case(const std::string& directory, const std::string& name, Suite suite);
 
 }  // namespace crossgrain::catalog

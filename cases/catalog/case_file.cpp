@@ -1,6 +1,9 @@
 #include "cases/catalog/case.hpp"
 
 #include "cases/catalog/check_file.hpp"
+#include "cases/catalog/sweep_file.hpp"
+#include "cases/catalog/variant_file.hpp"
+#include "cases/scene/model_file.hpp"
 #include "cases/scene/scene_file.hpp"
 #include "cases/toml/toml_table.hpp"
 
@@ -8,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace crossgrain::catalog {
@@ -15,16 +19,25 @@ namespace crossgrain::catalog {
 using toml_input::Range;
 using toml_input::TomlTable;
 
-/// The parsed file and, per variant, the layers of [scene] from the top: variant, quick, case.
+/// The parsed file and, per variant, the layers of [scene] from the top: variant, sweep, quick,
+/// case. Variants are the points of the sweep, each in every written [[variant]].
 struct Case::Source {
     toml::table root;
     bool quick = false;
     std::string file;
+    std::string readings;
+    Sweep sweep;
+    std::size_t written = 1;  ///< number of [[variant]] tables, 1 without any
 
     [[nodiscard]] TomlTable scene_table(std::size_t variant) const;
+    /// Values of a sweep have lost their place in the file: it is put back.
+    [[nodiscard]] CaseError placed(const CaseError& error) const;
 };
 
 namespace {
+
+const std::array<std::string, 4> models{"grains", "lattice-gas", "hopper-automaton",
+                                        "synthetic-signal"};
 
 const toml::table* sub_table(const toml::table& parent, std::string_view key) {
     const auto* node = parent.get(key);
@@ -39,28 +52,6 @@ std::vector<std::string> read_suites(const TomlTable& t) {
                       "\"quick\", \"full\" or both");
     }
     return suites;
-}
-
-std::vector<Variant> read_variants(const TomlTable& t) {
-    std::vector<Variant> variants;
-    for (const TomlTable& entry : t.tables("variant")) {
-        Variant variant{.name = entry.text("name"), .not_expressible_in = {}};
-        if (entry.has("not_expressible_in")) {
-            variant.not_expressible_in = entry.texts("not_expressible_in");
-        }
-        (void)entry.table("scene");  // read by Case::scene
-        entry.reject_unknown_keys();
-        const bool repeated =
-            std::any_of(variants.begin(), variants.end(),
-                        [&](const Variant& other) { return other.name == variant.name; });
-        if (repeated) {
-            throw entry.error("name", "is taken", fmt::format("\"{}\"", variant.name),
-                              "a name of its own for each variant");
-        }
-        variants.push_back(std::move(variant));
-    }
-    if (variants.empty()) variants.push_back({.name = "", .not_expressible_in = {}});
-    return variants;
 }
 
 Replicas read_replicas(const TomlTable& t) {
@@ -97,24 +88,6 @@ std::vector<ObservableRequest> read_observables(const TomlTable& t) {
     return requests;
 }
 
-/// A check that names a variant which is not there would never be asked.
-void check_variant_names(const Case& the_case) {
-    std::vector<std::string> names;
-    for (const auto& variant : the_case.variants)
-        names.push_back(variant.name);
-    for (const auto& check : the_case.checks) {
-        for (const auto& name : check.variants) {
-            if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-            throw CaseError({.file = the_case.file,
-                             .line = check.line,
-                             .key = "check.variants",
-                             .problem = "names no variant",
-                             .got = fmt::format("\"{}\"", name),
-                             .expected = fmt::format("one of {}", fmt::join(names, ", "))});
-        }
-    }
-}
-
 void check_every_scene(const Case& the_case) {
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
         for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
@@ -132,8 +105,9 @@ TomlTable Case::Source::scene_table(std::size_t variant) const {
         if (const auto* layer = sub_table(*owner, "scene")) layers.push_back(layer);
     };
     if (const auto* entries = root.get("variant")) {
-        if (const auto* array = entries->as_array()) add((*array)[variant].as_table());
+        if (const auto* array = entries->as_array()) add((*array)[variant % written].as_table());
     }
+    layers.push_back(&sweep.points[variant / written].scene);
     if (quick) add(sub_table(root, "quick"));
     add(&root);
     return {file, "scene", std::move(layers)};
@@ -144,23 +118,48 @@ std::int64_t Replicas::of(const std::string& code) const {
     return found == by_code.end() ? standard : found->second;
 }
 
-scene::Scene Case::scene(std::size_t variant, std::size_t rung, std::uint64_t seed) const {
+CaseError Case::Source::placed(const CaseError& error) const {
+    CaseErrorDetails details = error.details();
+    for (const auto& [key, line] : sweep.lines) {
+        if (details.line == 0 && details.key == "scene." + key) details.line = line;
+    }
+    return CaseError(std::move(details));
+}
+
+scene::AnyScene Case::scene(std::size_t variant, std::size_t rung, std::uint64_t seed) const {
     std::string full_name = name;
     if (!variants[variant].name.empty()) full_name += "/" + variants[variant].name;
     if (variants[variant].rungs > 1) full_name += fmt::format("/{}", rung + 1);
-    return scene::read_scene(parsed->scene_table(variant),
-                             {.name = full_name, .rung = rung, .seed = seed});
+    const TomlTable table = parsed->scene_table(variant);
+    const scene::SceneSelection selection{
+        .name = full_name, .rung = rung, .seed = seed, .readings = parsed->readings};
+    try {
+        if (model == "lattice-gas") return scene::read_lattice_gas(table, selection);
+        if (model == "hopper-automaton") return scene::read_hopper_automaton(table, selection);
+        if (model == "synthetic-signal") return scene::read_synthetic_signal(table, selection);
+        return scene::read_scene(table, selection);
+    } catch (const CaseError& error) {
+        throw parsed->placed(error);
+    }
 }
 
-Case load_case(const std::string& file, Suite suite) {
+scene::Scene Case::grain_scene(std::size_t variant, std::size_t rung, std::uint64_t seed) const {
+    return std::get<scene::Scene>(scene(variant, rung, seed));
+}
+
+Case load_case(const std::string& file, Suite suite, const std::string& readings) {
     auto source = std::make_shared<Case::Source>();
     source->root = toml_input::parse_toml_file(file);
     source->file = file;
     source->quick = suite == Suite::quick;
+    source->readings = readings;
     std::vector<const toml::table*> layers{&source->root};
     if (const auto* quick = sub_table(source->root, "quick"); quick != nullptr && source->quick) {
         layers.insert(layers.begin(), quick);
     }
+    source->sweep =
+        read_sweep(sub_table(source->root, "sweep"),
+                   layers.size() > 1 ? sub_table(*layers.front(), "sweep") : nullptr, file);
     const TomlTable t(file, "", layers);
     Case result;
     result.file = file;
@@ -170,22 +169,31 @@ Case load_case(const std::string& file, Suite suite) {
     result.text = t.text("text");
     result.suites = read_suites(t);
     result.time_limit = t.number("time_limit", Range::positive());
-    result.variants = read_variants(t);
+    if (t.has("model")) result.model = models[t.choice("model", models)];
+    const auto written = read_written_variants(t);
+    source->written = written.size();
+    result.variants = cross(source->sweep, written);
     result.replicas = read_replicas(t.table("replicas"));
     result.observables = read_observables(t);
     result.checks = read_checks(t);
     (void)t.table("quick");
     (void)t.table("scene");
+    (void)t.table("sweep");
     for (std::size_t v = 0; v < result.variants.size(); ++v) {
-        result.variants[v].rungs = scene::ladder_size(source->scene_table(v));
+        if (result.model != models[0]) break;  // only grains have ladders of time steps
+        try {
+            result.variants[v].rungs = scene::ladder_size(source->scene_table(v));
+        } catch (const CaseError& error) {
+            throw source->placed(error);
+        }
     }
     t.reject_unknown_keys();
     result.parsed = std::move(source);
-    check_variant_names(result);
+    if (suite == Suite::full) check_variant_names(result);
     check_every_scene(result);
     // What only the quick suite reads must not wait for it to be found wrong.
     if (suite == Suite::full && result.parsed->root.contains("quick")) {
-        (void)load_case(file, Suite::quick);
+        (void)load_case(file, Suite::quick, readings);
     }
     return result;
 }
@@ -200,8 +208,9 @@ std::vector<std::string> case_names(const std::string& directory) {
 }
 
 Case find_case(const std::string& directory, const std::string& name, Suite suite) {
+    const std::string readings = (std::filesystem::path(directory) / "readings").string();
     if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
-        return load_case(name, suite);
+        return load_case(name, suite, readings);
     }
     const std::vector<std::string> names = case_names(directory);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -211,7 +220,8 @@ Case find_case(const std::string& directory, const std::string& name, Suite suit
                          .expected = "a name from 'crossgrain cases' or the path of a case file",
                          .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
     }
-    return load_case((std::filesystem::path(directory) / (name + ".toml")).string(), suite);
+    return load_case((std::filesystem::path(directory) / (name + ".toml")).string(), suite,
+                     readings);
 }
 
 }  // namespace crossgrain::catalog

@@ -12,7 +12,8 @@ using toml_input::Range;
 using toml_input::TomlTable;
 
 const std::array<std::string, 4> kinds{"exact", "parity", "agree", "published"};
-const std::array<std::string, 3> aspects{"value", "limit", "order"};
+const std::array<std::string, 6> aspects{"value",    "limit",      "order",
+                                         "constant", "increasing", "decreasing"};
 const std::array<std::string, 6> outcomes{"agree",           "disagree",      "undecided",
                                           "not_expressible", "not_installed", "no_reference"};
 
@@ -23,7 +24,12 @@ void read_expectation(const TomlTable& t, Check& check) {
         check.expect_for[code] = outcomes[by_code.choice(code, outcomes)];
     }
     check.expect_reason = t.optional_text("expect_reason").value_or("");
-    const bool unusual = check.expect != "agree" || !check.expect_for.empty();
+    const TomlTable by_variant = t.table("expect_in");
+    for (const auto& pattern : by_variant.keys()) {
+        check.expect_in[pattern] = outcomes[by_variant.choice(pattern, outcomes)];
+    }
+    const bool unusual =
+        check.expect != "agree" || !check.expect_for.empty() || !check.expect_in.empty();
     if (unusual && check.expect_reason.empty()) {
         throw t.missing("expect_reason", "why something else than agreement is expected");
     }
@@ -52,8 +58,22 @@ Check read_check(const TomlTable& t) {
     if (check.kind == CheckKind::exact || check.kind == CheckKind::published) {
         check.against = t.text("against");
     }
+    if (is_trend(check.aspect)) {
+        if (check.kind != CheckKind::published) {
+            throw t.error("aspect", "is a trend", aspects[static_cast<std::size_t>(check.aspect)],
+                          "kind = \"published\" with it");
+        }
+        check.along = t.text("along");
+    }
     if (check.aspect == Aspect::order) check.order = t.number("order", Range::positive());
     if (t.has("variants")) check.variants = t.texts("variants");
+    if (t.has("between")) {
+        check.between = t.texts("between");
+        if (check.kind != CheckKind::agree || check.between.size() != 2) {
+            throw t.error("between", "does not fit", fmt::format("{} names", check.between.size()),
+                          "two variants, in a check of kind \"agree\"");
+        }
+    }
     if (t.has("codes")) check.codes = t.texts("codes");
     check.limit = t.number("limit", Range::positive());
     const TomlTable limits = t.table("limit_for");

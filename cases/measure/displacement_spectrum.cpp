@@ -1,5 +1,6 @@
 #include "cases/measure/displacement_spectrum.hpp"
 
+#include "cases/measure/hermite.hpp"
 #include "cases/measure/mean_with_error.hpp"
 #include "cases/measure/plate_motion.hpp"
 #include "cases/measure/power_law.hpp"
@@ -15,13 +16,6 @@
 
 namespace crossgrain::measure {
 namespace {
-
-// Cubic with values a, b and derivatives va, vb at the ends of an interval of length h, at the
-// fraction s of it.
-double hermite(double s, double h, double a, double va, double b, double vb) {
-    const double r = 1 - s;
-    return r * r * ((1 + 2 * s) * a + s * h * va) + s * s * ((1 + 2 * r) * b - r * h * vb);
-}
 
 void check(const DisplacementSpectrumOptions& options) {
     const auto require = [](bool holds, const char* what) {
@@ -83,8 +77,10 @@ double DisplacementSpectrum::spacing_at(double time, const Instant& a, const Ins
 
 std::optional<double> DisplacementSpectrum::crossing_time(const Instant& a,
                                                           const Instant& b) const {
-    const double sign = options_.crossing == Crossing::upward ? 1.0 : -1.0;
     const double h0 = options_.spacing;
+    const bool upwards = options_.crossing == Crossing::upward ||
+                         (options_.crossing == Crossing::either && a.spacing < h0);
+    const double sign = upwards ? 1.0 : -1.0;
     if (!(sign * (a.spacing - h0) < 0 && sign * (b.spacing - h0) >= 0)) return std::nullopt;
     // Bisection to the last bit: safe for whatever the lid does within the interval.
     double before = a.time, after = b.time;
@@ -113,7 +109,8 @@ void DisplacementSpectrum::add(const scene::Frame& frame) {
     if (previous_) {
         const auto time = crossing_time(*previous_, current_);
         // The least time between crossings; a bottom at rest has no period to speak of.
-        const double least = plates_.bottom->amplitude > 0 ? plates_.bottom->period / 2 : 0.0;
+        const double share = options_.crossing == Crossing::either ? 0.25 : 0.5;
+        const double least = plates_.bottom->amplitude > 0 ? plates_.bottom->period * share : 0.0;
         if (time && *time >= options_.skip && (!start_ || *time - start_->time >= least)) {
             Positions end = interpolate(*time, *previous_, current_);
             if (start_) add_vector(*start_, end);
@@ -152,14 +149,39 @@ void DisplacementSpectrum::add_vector(const Positions& start, const Positions& e
         }
         group_spectra_[g].push_back(mean_spectrum(spectra));
     }
+    keep_field(start, end);
 }
 
-void DisplacementSpectrum::add_slope(std::size_t group, FitWindow window, const std::string& prefix,
+void DisplacementSpectrum::keep_field(const Positions& start, const Positions& end) {
+    const double length = static_cast<double>(spectrum_->cells()) * diameter_;
+    const double bottom = plate_state(*plates_.bottom, start.time).height;
+    field_.assign(4, std::vector<double>(start.x.size()));
+    for (std::size_t i = 0; i < start.x.size(); ++i) {
+        field_[0][i] = start.x[i] - length * std::floor(start.x[i] / length);
+        field_[1][i] = start.y[i] - bottom;
+        field_[2][i] = end.x[i] - start.x[i];
+        field_[3][i] = end.y[i] - start.y[i];
+    }
+}
+
+std::string DisplacementSpectrum::named(const std::string& name, char joint) const {
+    switch (options_.crossing) {
+    case Crossing::upward:
+        break;
+    case Crossing::downward:
+        return name + joint + "downward";
+    case Crossing::either:
+        return name + joint + "either";
+    }
+    return name;
+}
+
+void DisplacementSpectrum::add_slope(std::size_t group, FitWindow window, const std::string& name,
                                      bool with_systematic, Results& results) const {
     const auto& spectra = group_spectra_[group];
     const auto slope = slope_of_mean(spectra, window.k_min, window.k_max);
     if (!slope) return;
-    Measurement measurement{.observable = prefix + label(options_.groups[group]),
+    Measurement measurement{.observable = named(name),
                             .value = slope->value,
                             .standard_error = slope->standard_error,
                             .n = spectra.size(),
@@ -183,7 +205,7 @@ void DisplacementSpectrum::add_slope(std::size_t group, FitWindow window, const 
 }
 
 void DisplacementSpectrum::add_series(Results& results) const {
-    Series series{.name = "spectrum", .columns = {"K"}, .values = {{}}};
+    Series series{.name = named("spectrum", '-'), .columns = {"K"}, .values = {{}}};
     const std::size_t highest = spectrum_->cells() / 2;
     for (std::size_t k = 1; k <= highest; ++k) {
         series.values[0].push_back(static_cast<double>(k));
@@ -207,7 +229,7 @@ void DisplacementSpectrum::add_series(Results& results) const {
 }
 
 void DisplacementSpectrum::add_fits(Results& results) const {
-    Series fits{.name = "spectrum-fit",
+    Series fits{.name = named("spectrum-fit", '-'),
                 .columns = {"layer_first", "layer_last", "k_min", "k_max", "exponent",
                             "exponent_err", "amplitude"},
                 .values = std::vector<std::vector<double>>(7)};
@@ -232,18 +254,25 @@ void DisplacementSpectrum::add_fits(Results& results) const {
 void DisplacementSpectrum::finish(Results& results) {
     if (!spectrum_ || group_spectra_.front().empty()) return;
     const std::size_t vectors = group_spectra_.front().size();
-    results.measurements.push_back({.observable = "displacement_vectors",
+    results.measurements.push_back({.observable = named("displacement_vectors"),
                                     .value = static_cast<double>(vectors),
                                     .n = vectors,
                                     .settings = {}});
     constexpr std::size_t fewest_vectors = 3;
     if (vectors < fewest_vectors) return;
     for (std::size_t g = 0; g < options_.groups.size(); ++g) {
-        add_slope(g, {options_.k_min, options_.k_max}, "slope_", true, results);
-        add_slope(g, {options_.tail_min, options_.tail_max}, "slope_tail_", false, results);
+        const std::string group = label(options_.groups[g]);
+        add_slope(g, {options_.k_min, options_.k_max}, "slope_" + group, true, results);
+        add_slope(g, {1, 8}, "slope_" + group + "_K1_8", false, results);
+        add_slope(g, {1, 32}, "slope_" + group + "_K1_32", false, results);
+        add_slope(g, {options_.tail_min, options_.tail_max}, "slope_tail_" + group, false, results);
     }
     add_series(results);
     add_fits(results);
+    results.series.push_back({.name = named("displacement-field", '-'),
+                              .columns = {"x", "y", "dx", "dy"},
+                              .values = field_,
+                              .units = {"l", "l", "l", "l"}});
 }
 
 }  // namespace crossgrain::measure

@@ -8,7 +8,8 @@
 // Readings where the paper leaves a choice:
 // - t_n: the spacing of lid and bottom crosses h0 upwards (option: downwards), at most once per
 //   half period of the bottom. Upwards the bed is in flight; downwards the lowest row is pressed
-//   into the bottom and many grains fall into layer 0.
+//   into the bottom and many grains fall into layer 0. Option `either`, the paper's words taken
+//   literally ("when the spacing has some definite value"): at most once per quarter period.
 // - Positions at t_n: cubic Hermite interpolation between the two frames around the crossing (error
 //   O(interval^4) while no contact begins or ends in between).
 // - Cells are d wide and sqrt(3) d/2 high and move with the bottom:
@@ -32,7 +33,7 @@
 
 namespace crossgrain::measure {
 
-enum class Crossing { upward, downward };
+enum class Crossing { upward, downward, either };
 
 /// Layers first..last, averaged together.
 struct LayerGroup {
@@ -52,11 +53,15 @@ struct DisplacementSpectrumOptions {
 };
 
 /// Measurements: `slope_<first>_<last>` per group (1), settings k_min, k_max, vectors and, from six
-/// vectors on, stderr_blocks_of_two; `slope_tail_<first>_<last>`, the same over the tail window (0
-/// for white noise); `displacement_vectors`, their number. n is the number of vectors.
+/// vectors on, stderr_blocks_of_two; `slope_<first>_<last>_K1_<k>`, the same over K = 1-k for k = 8
+/// and 32; `slope_tail_<first>_<last>`, the same over the tail window (0 for white noise);
+/// `displacement_vectors`, their number. n is the number of vectors.
 /// Series "spectrum": K = 1..L/2 and per group S_<first>_<last>, err_<first>_<last>;
 /// "spectrum-fit": per group layer_first, layer_last, k_min, k_max, exponent, exponent_err,
-/// amplitude.
+/// amplitude; "displacement-field": x (within the period), y (above the bottom), dx, dy of every
+/// grain for the last vector.
+/// With crossings other than upward all names end in "_downward" or "_either" (series
+/// "-downward", "-either").
 ///
 /// Without a vector (h0 is crossed less than twice) nothing is reported, with fewer than three only
 /// `displacement_vectors`. A group with a layer-
@@ -90,8 +95,11 @@ class DisplacementSpectrum final : public Estimator {
     [[nodiscard]] std::optional<double> crossing_time(const Instant& a, const Instant& b) const;
     [[nodiscard]] Positions interpolate(double time, const Instant& a, const Instant& b) const;
     void add_vector(const Positions& start, const Positions& end);
-    void add_slope(std::size_t group, FitWindow window, const std::string& prefix,
+    /// The name of a measurement or series, with the kind of crossing after `joint`.
+    [[nodiscard]] std::string named(const std::string& name, char joint = '_') const;
+    void add_slope(std::size_t group, FitWindow window, const std::string& name,
                    bool with_systematic, Results& results) const;
+    void keep_field(const Positions& start, const Positions& end);
     void add_series(Results& results) const;
     void add_fits(Results& results) const;
 
@@ -102,6 +110,7 @@ class DisplacementSpectrum final : public Estimator {
     std::optional<Instant> previous_;
     Instant current_;
     std::optional<Positions> start_;
+    std::vector<std::vector<double>> field_;  ///< x, y, dx, dy of the last vector; or empty
     /// S averaged over the layers of a group, shape (groups)(vectors, K).
     std::vector<std::vector<std::vector<double>>> group_spectra_;
 };

@@ -1,10 +1,13 @@
 #include "cases/measure/energy_balance.hpp"
 
+#include "cases/measure/hermite.hpp"
 #include "cases/measure/plate_motion.hpp"
 #include "cases/measure/time_mean.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
 #include <string>
 
 namespace crossgrain::measure {
@@ -33,13 +36,17 @@ double dissipated_power(const scene::ContactLaw& law, double overlap, double nor
 EnergyBalance::EnergyBalance(const scene::Scene& scene, EnergyBalanceOptions options)
     : options_(options), driven_(driving_period(scene.plates).has_value()), grains_(scene.grains),
       contact_(scene.contact), plates_(scene.plates), gravity_(scene.gravity),
-      frozen_(scene.initial.frozen),
+      grain_count_(scene.grain_count()), period_x_(scene.periodic_x), frozen_(scene.initial.frozen),
       contacts_(scene.grains.diameter, scene.periodic_x, scene.periodic_y) {
     const double interval = scene.dt * static_cast<double>(scene.frame_every);
-    frames_per_contact_time_ = scene::contact_time(scene) / interval;
-    applicable_ = std::isfinite(frames_per_contact_time_) &&
-                  frames_per_contact_time_ >= 10 * (1 - 1e-9) &&
+    const double frames_per_contact_time = scene::contact_time(scene) / interval;
+    applicable_ = std::isfinite(frames_per_contact_time) &&
+                  frames_per_contact_time >= options_.least_frames_per_contact_time * (1 - 1e-9) &&
                   scene.contact.spins == scene::Spins::off;
+    if (options_.samples_per_frame < 1) {
+        throw std::invalid_argument("energy balance: needs at least one sample per frame");
+    }
+    samples_per_contact_time_ = frames_per_contact_time * options_.samples_per_frame;
 }
 
 void EnergyBalance::add_motion(const scene::Frame& frame, Sample& sample) const {
@@ -92,13 +99,62 @@ void EnergyBalance::add_plates(const scene::Frame& frame, Sample& sample) const 
     }
 }
 
-void EnergyBalance::add(const scene::Frame& frame) {
-    if (!applicable_) return;
+EnergyBalance::Sample EnergyBalance::sample(const scene::Frame& frame) {
     Sample sample{.time = frame.time};
     add_motion(frame, sample);
     add_pairs(frame, sample);
     add_plates(frame, sample);
-    samples_.push_back(sample);
+    return sample;
+}
+
+void EnergyBalance::store(const scene::Frame& frame, Instant& instant) const {
+    instant.time = frame.time;
+    instant.x.assign(frame.x.begin(), frame.x.end());
+    instant.y.assign(frame.y.begin(), frame.y.end());
+    instant.vx.assign(frame.vx.begin(), frame.vx.end());
+    instant.vy.assign(frame.vy.begin(), frame.vy.end());
+    instant.lid = frame.lid;
+}
+
+void EnergyBalance::add_between(const Instant& a, const scene::Frame& b) {
+    const double h = b.time - a.time;
+    Instant& m = between_;
+    store(b, m);
+    for (int part = 1; part < options_.samples_per_frame; ++part) {
+        const double s = static_cast<double>(part) / options_.samples_per_frame;
+        for (std::size_t i = 0; i < a.x.size(); ++i) {
+            m.x[i] = hermite(s, h, a.x[i], a.vx[i], b.x[i], b.vx[i]);
+            m.y[i] = hermite(s, h, a.y[i], a.vy[i], b.y[i], b.vy[i]);
+            m.vx[i] = hermite_slope(s, h, a.x[i], a.vx[i], b.x[i], b.vx[i]);
+            m.vy[i] = hermite_slope(s, h, a.y[i], a.vy[i], b.y[i], b.vy[i]);
+        }
+        if (a.lid && b.lid) {
+            const auto& [y0, v0] = *a.lid;
+            const auto& [y1, v1] = *b.lid;
+            m.lid =
+                scene::LidState{hermite(s, h, y0, v0, y1, v1), hermite_slope(s, h, y0, v0, y1, v1)};
+        }
+        samples_.push_back(sample({.step = b.step,
+                                   .time = a.time + s * h,
+                                   .x = m.x,
+                                   .y = m.y,
+                                   .vx = m.vx,
+                                   .vy = m.vy,
+                                   .lid = m.lid}));
+    }
+}
+
+void EnergyBalance::add(const scene::Frame& frame) {
+    if (!applicable_) return;
+    if (options_.samples_per_frame > 1) {
+        if (previous_) {
+            add_between(*previous_, frame);
+        } else {
+            previous_.emplace();
+        }
+        store(frame, *previous_);
+    }
+    samples_.push_back(sample(frame));
 }
 
 EnergyBalance::Balance EnergyBalance::integrate(std::size_t stride, std::size_t end) const {
@@ -128,28 +184,84 @@ void EnergyBalance::add_averages(Results& results) const {
     std::vector<double> times;
     for (const Sample& sample : samples_)
         times.push_back(sample.time);
-    const auto add_mean = [&](const std::string& name, const std::string& unit, auto quantity) {
+    const auto mean_of = [&](const std::string& name, const std::string& unit,
+                             auto quantity) -> std::optional<Measurement> {
         std::vector<double> values;
         for (const Sample& sample : samples_)
             values.push_back(quantity(sample));
         const auto mean = time_mean(times, values, options_.skip, driving_period(plates_));
-        if (!mean) return;
-        results.measurements.push_back({.observable = name,
-                                        .value = mean->value,
-                                        .standard_error = mean->standard_error,
-                                        .n = mean->blocks,
-                                        .unit = unit,
-                                        .settings = {{"skip", options_.skip}}});
+        if (!mean) return std::nullopt;
+        return Measurement{.observable = name,
+                           .value = mean->value,
+                           .standard_error = mean->standard_error,
+                           .n = mean->blocks,
+                           .unit = unit,
+                           .settings = {{"skip", options_.skip}}};
     };
-    add_mean("mean_energy", "m l^2/t^2", [](const Sample& s) { return s.total(); });
-    add_mean("mean_energy_input", "m l^2/t^3", [](const Sample& s) { return s.input_power; });
-    add_mean("mean_dissipation", "m l^2/t^3", [](const Sample& s) { return s.dissipated_power; });
+    const auto energy =
+        mean_of("mean_energy", "m l^2/t^2", [](const Sample& s) { return s.total(); });
+    const auto input =
+        mean_of("mean_energy_input", "m l^2/t^3", [](const Sample& s) { return s.input_power; });
+    const auto dissipation = mean_of("mean_dissipation", "m l^2/t^3",
+                                     [](const Sample& s) { return s.dissipated_power; });
+    for (const auto& mean : {energy, input, dissipation}) {
+        if (mean) results.measurements.push_back(*mean);
+    }
+    if (energy && input) add_comparison_with_input(*energy, *input, results);
+}
+
+/// Potential energy of rigid grains in the closest packing, and of the lid on top of it.
+std::optional<double> EnergyBalance::ground_energy() const {
+    const bool driven_bottom = plates_.bottom && plates_.bottom->amplitude > 0;
+    if (!driven_bottom || gravity_ == 0 || !period_x_ || !frozen_.empty()) return std::nullopt;
+    const double d = grains_.diameter;
+    const auto columns = static_cast<std::size_t>(*period_x_ / d * (1 + 1e-12));
+    if (columns == 0 || grain_count_ == 0) return std::nullopt;
+    const double reach = plates_.touches == scene::PlateContact::surface ? d / 2 : 0.0;
+    const auto height = [&](std::size_t grain) {
+        return plates_.bottom->height + reach +
+               std::numbers::sqrt3 / 2 * d * static_cast<double>(grain / columns);
+    };
+    double energy = 0;
+    for (std::size_t i = 0; i < grain_count_; ++i)
+        energy += grains_.mass * gravity_ * height(i);
+    if (const auto* lid = std::get_if<scene::FreeLid>(&plates_.lid)) {
+        energy += lid->mass * gravity_ * (height(grain_count_ - 1) + reach);
+    }
+    return energy;
+}
+
+void EnergyBalance::add_comparison_with_input(const Measurement& energy, const Measurement& input,
+                                              Results& results) const {
+    const auto ground = ground_energy();
+    if (!ground || !(input.value > 0)) return;
+    const double period = plates_.bottom->period;
+    Measurement above = energy;
+    above.observable = "energy_above_ground";
+    above.value -= *ground;
+    above.settings["ground_energy"] = *ground;
+    Measurement per_period = input;
+    per_period.observable = "input_per_period";
+    per_period.value *= period;
+    per_period.standard_error *= period;
+    per_period.unit = above.unit;
+    Measurement ratio = above;
+    ratio.observable = "energy_per_input";
+    ratio.value = above.value / per_period.value;
+    ratio.standard_error =
+        std::hypot(above.standard_error, ratio.value * per_period.standard_error) /
+        per_period.value;
+    ratio.n = std::min(above.n, per_period.n);
+    ratio.unit = "1";
+    results.measurements.insert(results.measurements.end(), {above, per_period, ratio});
 }
 
 void EnergyBalance::add_series(Results& results) const {
     Series series{.name = "energy",
                   .columns = {"t", "kinetic", "gravity", "elastic", "input", "dissipated"},
                   .values = std::vector<std::vector<double>>(6)};
+    constexpr std::size_t most_rows = 2000;
+    const std::size_t stride = (samples_.size() + most_rows - 1) / most_rows;
     Balance so_far;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         const Sample& s = samples_[i];
@@ -159,6 +271,7 @@ void EnergyBalance::add_series(Results& results) const {
             so_far.input += half * (before.input_power + s.input_power);
             so_far.dissipated += half * (before.dissipated_power + s.dissipated_power);
         }
+        if (i % stride != 0) continue;
         const double row[] = {s.time,    s.kinetic,    s.gravity,
                               s.elastic, so_far.input, so_far.dissipated};
         for (std::size_t c = 0; c < series.values.size(); ++c)
@@ -180,8 +293,7 @@ void EnergyBalance::finish(Results& results) {
             {.observable = "energy_residual",
              .value = balance.residual() / unit,
              .systematic = std::abs(coarsening) / unit,
-             .n = samples_.size(),
-             .settings = {{"frames_per_contact_time", frames_per_contact_time_}}});
+             .settings = {{"samples_per_contact_time", samples_per_contact_time_}}});
     }
     add_averages(results);
     add_series(results);

@@ -17,32 +17,45 @@
 //   clipped (k delta < eta v_n)  k delta v_n, the spring energy that is given up, plus eta v_t^2
 //   if the clipping keeps the tangential dashpot of full-vector damping.
 //
-// Sampling: P_dis jumps when a contact begins, so the trapezoid error is first order in the frame
-// interval. The interval must not exceed t_col/10; `systematic` is the change of the residual when
-// every second frame is left out.
+// Sampling: P_dis jumps when a contact begins, so the trapezoid error of one contact is first order
+// in the sampling interval; over many contacts it averages out and leaves a second order from the
+// kinks. The frame interval must not exceed t_col/10. Between frames the motion can be interpolated
+// (cubic Hermite) and the powers sampled `samples_per_frame` times, so that the residual is that of
+// the scheme and not of the sum. `systematic` is the change of the residual when every second
+// sample is left out.
 #pragma once
 
 #include "cases/measure/contact_search.hpp"
 #include "cases/measure/estimator.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace crossgrain::measure {
 
 struct EnergyBalanceOptions {
     double skip = 0;  ///< time (t) left out of the averages at the start; the balance keeps it
+    int samples_per_frame = 1;                  ///< >= 1
+    double least_frames_per_contact_time = 10;  ///< below it nothing is measured
 };
 
-/// Measurements: `energy_residual` (1), n is the number of frames, setting frames_per_contact_time;
+/// Measurements: `energy_residual` (1), one number per run, setting samples_per_contact_time;
 /// and `mean_energy` (m l^2/t^2), `mean_energy_input` and `mean_dissipation` (m l^2/t^3; powers),
 /// time means from t = skip on (time_mean.hpp; over whole periods if driven), n the number of
-/// independent blocks, absent when the run is too short to tell their errors. Series "energy": t,
-/// kinetic, gravity, elastic, input, dissipated (the last two cumulated).
+/// independent blocks, absent when the run is too short to tell their errors. Under a bottom that
+/// moves and gravity, with a period along x, also
+///   energy_above_ground  mean_energy less that of the bed at rest in the closest packing on the
+///                        bottom's mean height, grains and plates rigid: rows of L = L_h/d grains
+///                        sqrt(3)/2 d apart, a free lid on the highest (m l^2/t^2)
+///   input_per_period     mean_energy_input times the period (m l^2/t^2)
+///   energy_per_input     the ratio of the two (1): about 1 by Taguchi's section 4
+/// Series "energy": t, kinetic, gravity, elastic, input, dissipated (the last two cumulated), at
+/// most 2000 rows.
 ///
-/// Nothing if the frame interval exceeds t_col/10, if the pair is overdamped (it has no t_col), if
-/// grains spin (the force is then not a function of the frame), or for fewer than three frames.
-/// The lid's kinetic and gravitational energy are in `kinetic` and `gravity`; frozen grains count
-/// as at rest.
+/// Throws std::invalid_argument for less than one sample per frame. Nothing if the frame interval
+/// exceeds t_col/10, if the pair is overdamped (it has no t_col), if grains spin (the force is then
+/// not a function of the frame), or for fewer than three frames. The lid's kinetic and
+/// gravitational energy are in `kinetic` and `gravity`; frozen grains count as at rest.
 class EnergyBalance final : public Estimator {
   public:
     explicit EnergyBalance(const scene::Scene& scene, EnergyBalanceOptions options = {});
@@ -62,25 +75,42 @@ class EnergyBalance final : public Estimator {
         [[nodiscard]] double residual() const noexcept { return input - dissipated - change; }
     };
 
+    /// What is kept of a frame to interpolate. Arrays have shape (grains).
+    struct Instant {
+        double time = 0;
+        std::vector<double> x, y, vx, vy;
+        std::optional<scene::LidState> lid;
+    };
+
+    void store(const scene::Frame& frame, Instant& instant) const;
+    void add_between(const Instant& a, const scene::Frame& b);
+    [[nodiscard]] Sample sample(const scene::Frame& frame);
     void add_motion(const scene::Frame& frame, Sample& sample) const;
     void add_pairs(const scene::Frame& frame, Sample& sample);
     void add_plates(const scene::Frame& frame, Sample& sample) const;
     [[nodiscard]] Balance integrate(std::size_t stride, std::size_t end) const;
     [[nodiscard]] double scale(const Balance& balance) const;
     void add_averages(Results& results) const;
+    void add_comparison_with_input(const Measurement& energy, const Measurement& input,
+                                   Results& results) const;
+    [[nodiscard]] std::optional<double> ground_energy() const;
     void add_series(Results& results) const;
 
     EnergyBalanceOptions options_;
     bool applicable_ = false;
     bool driven_ = false;
-    double frames_per_contact_time_ = 0;
+    double samples_per_contact_time_ = 0;
     scene::Grains grains_;
     scene::ContactLaw contact_;
     scene::Plates plates_;
     double gravity_ = 0;
+    std::size_t grain_count_ = 0;
+    std::optional<double> period_x_;
     std::vector<bool> frozen_;  ///< empty when no grain is frozen
     ContactSearch contacts_;
-    std::vector<Sample> samples_;  ///< shape (frames): powers and energies, no trajectory
+    std::optional<Instant> previous_;  ///< frame, if samples between frames are asked for
+    Instant between_;
+    std::vector<Sample> samples_;  ///< shape (samples): powers and energies, no trajectory
 };
 
 }  // namespace crossgrain::measure

@@ -2,19 +2,22 @@
 #pragma once
 
 #include "cases/measure/results.hpp"
-#include "cases/scene/frame.hpp"
-#include "cases/scene/scene.hpp"
+#include "cases/scene/any_scene.hpp"
 
 namespace crossgrain::measure {
 
 /// An estimator is built for one scene and used for one run.
-class Estimator {
+template <class FrameT> class EstimatorOf {
   public:
-    virtual ~Estimator() = default;
-    virtual void add(const scene::Frame& frame) = 0;
+    virtual ~EstimatorOf() = default;
+    virtual void add(const FrameT& frame) = 0;
     /// Appends what was measured. An estimator without enough data appends nothing; the verdict
     /// is then `undecided`, never a made-up number.
     virtual void finish(Results& results) = 0;
 };
+
+using Estimator = EstimatorOf<scene::Frame>;  ///< of grains
+using GasEstimator = EstimatorOf<scene::GasFrame>;
+using HopperEstimator = EstimatorOf<scene::HopperFrame>;
 
 }  // namespace crossgrain::measure

@@ -1,5 +1,7 @@
 #include "cases/measure/layer_spectrum.hpp"
 
+#include "native/base/fft_planner.hpp"
+
 #include <fftw3.h>
 
 #include <algorithm>
@@ -7,25 +9,16 @@
 #include <mutex>
 
 namespace crossgrain::measure {
-namespace {
-
-// Only fftw_execute is thread safe; making and destroying plans share global tables.
-std::mutex& planner() {
-    static std::mutex mutex;
-    return mutex;
-}
-
-}  // namespace
 
 struct LayerSpectrum::Plan {
     explicit Plan(std::size_t cells)
         : n(cells), in(fftw_alloc_real(cells)), out(fftw_alloc_complex(cells / 2 + 1)) {
-        const std::lock_guard lock(planner());
+        const std::lock_guard lock(fft_planner());
         plan = fftw_plan_dft_r2c_1d(static_cast<int>(n), in, out, FFTW_ESTIMATE);
     }
     ~Plan() {
         {
-            const std::lock_guard lock(planner());
+            const std::lock_guard lock(fft_planner());
             fftw_destroy_plan(plan);
         }
         fftw_free(in);

@@ -7,7 +7,8 @@ namespace crossgrain::measure {
 
 PlateState plate_state(const scene::PrescribedPlate& plate, double t) {
     const double omega = 2.0 * std::numbers::pi / plate.period;
-    return {scene::height_at(plate, t), -plate.amplitude * omega * std::sin(omega * t)};
+    const double angle = omega * t + scene::phase_angle(plate);
+    return {scene::height_at(plate, t), -plate.amplitude * omega * std::sin(angle)};
 }
 
 std::optional<PlateState> bottom_state(const scene::Plates& plates, double t) {

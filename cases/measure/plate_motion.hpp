@@ -11,7 +11,7 @@ namespace crossgrain::measure {
 /// Height and velocity of a plate; the lid's own type serves for both plates.
 using PlateState = scene::LidState;
 
-/// Prescribed plate at time t: height + b cos(2 pi t/T), -b (2 pi/T) sin(2 pi t/T).
+/// Prescribed plate at time t: height + b cos a, -b (2 pi/T) sin a, a = 2 pi (t/T + phase).
 [[nodiscard]] PlateState plate_state(const scene::PrescribedPlate& plate, double t);
 
 /// Nothing if the scene has no bottom.

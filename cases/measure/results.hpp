@@ -1,7 +1,9 @@
 // What a run leaves behind: numbers with errors, curves, and a few snapshots for comparison.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,10 +35,28 @@ struct Snapshot {
     std::vector<double> x, y;
 };
 
+/// A picture as palette indices, row by row from the top.
+struct Picture {
+    std::string name;   ///< e.g. "space-time"
+    std::string title;  ///< with what the axes and colours mean
+    std::size_t width = 0, height = 0;
+    std::vector<std::uint8_t> pixels;                   ///< shape (height, width)
+    std::vector<std::array<std::uint8_t, 3>> palette;   ///< red, green, blue; up to 256
+};
+
+/// What a run was found to be, in a word: e.g. {"state", "ageing", "density drifts by 3 sigma"}.
+struct Finding {
+    std::string name;
+    std::string label;
+    std::string detail;
+};
+
 struct Results {
     std::vector<Measurement> measurements;
     std::vector<Series> series;
     std::vector<Snapshot> snapshots;
+    std::vector<Picture> pictures;
+    std::vector<Finding> findings;
 };
 
 }  // namespace crossgrain::measure

@@ -176,6 +176,34 @@ void generate(Scene& scene, const Lattice& lattice) {
     thermalise(scene, lattice.velocity_spread);
 }
 
+void generate(Scene& scene, const Packing& packing) {
+    if (!scene.periodic_x || !scene.plates.bottom) {
+        throw std::invalid_argument("a packing needs periodic_x and a bottom plate");
+    }
+    const double d = scene.grains.diameter;
+    // The period is a decimal number; only its rounding is forgiven.
+    const double fit = std::floor(*scene.periodic_x / d * (1 + 1e-12));
+    const auto columns = static_cast<std::size_t>(fit);
+    if (columns == 0 || packing.count % columns != 0) {
+        throw std::invalid_argument(fmt::format(
+            "{} grains do not fill rows of {}: choose a multiple", packing.count, columns));
+    }
+    const double spacing = *scene.periodic_x / fit;
+    // Longer by more than the rounding of heights, so that no pair touches at the start.
+    const double bond = d * (1 + 1e-13);
+    const double row_height = std::sqrt(bond * bond - spacing * spacing / 4);
+    const double reach = scene.plates.touches == PlateContact::surface ? d / 2 : 0.0;
+    const double lowest = height_at(*scene.plates.bottom, 0) + reach;
+    resize(scene.initial, packing.count);
+    for (std::size_t i = 0; i < packing.count; ++i) {
+        const std::size_t row = i / columns;
+        const double offset = row % 2 == 0 ? 0.25 : 0.75;
+        scene.initial.x[i] = spacing * (static_cast<double>(i % columns) + offset);
+        scene.initial.y[i] = lowest + row_height * static_cast<double>(row);
+    }
+    thermalise(scene, packing.velocity_spread);
+}
+
 void generate(Scene& scene, const Explicit& given) {
     scene.initial = given.state;
 }

@@ -46,12 +46,20 @@ struct Lattice {
     double lid_gap = 0;  ///< free height between the highest grain and the lid, > 0
 };
 
+/// The densest triangular lattice, every grain touching its six neighbours without overlap: rows of
+/// L = period/d grains (a whole number, or as many as fit if it is a little more), the first on the
+/// bottom plate, Gaussian velocities. Grain i of row j is number j L + i.
+struct Packing {
+    std::size_t count = 0;  ///< a multiple of L
+    double velocity_spread = 0;
+};
+
 /// Given grain by grain.
 struct Explicit {
     InitialState state;
 };
 
-using InitialStateRecipe = std::variant<Pairs, Bounces, Gas, Lattice, Explicit>;
+using InitialStateRecipe = std::variant<Pairs, Bounces, Gas, Lattice, Packing, Explicit>;
 
 /// Fills scene.initial (and the height of a free lid for Lattice and Bounces) from the recipe.
 /// All else of the scene must be set. Throws std::invalid_argument with a one-line reason if the

@@ -54,6 +54,11 @@ Lattice read_lattice(const TomlTable& t) {
             .lid_gap = t.optional_number("lid_gap", Range::positive()).value_or(1.0)};
 }
 
+Packing read_packing(const TomlTable& t) {
+    return {.count = count_of(t, "count"),
+            .velocity_spread = t.number("velocity_spread", Range::not_negative())};
+}
+
 Explicit read_explicit(const TomlTable& t) {
     Explicit given;
     given.state.x = t.numbers("x", Range::any());
@@ -87,7 +92,8 @@ Explicit read_explicit(const TomlTable& t) {
 }  // namespace
 
 InitialStateRecipe read_initial_state(const TomlTable& t) {
-    static const std::array<std::string, 5> kinds{"pairs", "bounces", "gas", "lattice", "explicit"};
+    static const std::array<std::string, 6> kinds{"pairs",   "bounces", "gas",
+                                                  "lattice", "packing", "explicit"};
     const std::size_t kind = t.choice("kind", kinds);
     const InitialStateRecipe recipe = [&]() -> InitialStateRecipe {
         switch (kind) {
@@ -99,6 +105,8 @@ InitialStateRecipe read_initial_state(const TomlTable& t) {
             return read_gas(t);
         case 3:
             return read_lattice(t);
+        case 4:
+            return read_packing(t);
         default:
             return read_explicit(t);
         }

@@ -15,8 +15,13 @@ double contact_time(const Scene& scene) {
     return std::numbers::pi / std::sqrt(omega_squared);
 }
 
+double phase_angle(const PrescribedPlate& plate) {
+    return 2.0 * std::numbers::pi * plate.phase;
+}
+
 double height_at(const PrescribedPlate& plate, double t) {
-    return plate.height + plate.amplitude * std::cos(2.0 * std::numbers::pi / plate.period * t);
+    const double angle = 2.0 * std::numbers::pi / plate.period * t + phase_angle(plate);
+    return plate.height + plate.amplitude * std::cos(angle);
 }
 
 double nearest_image(double separation, const std::optional<double>& period) {
@@ -114,7 +119,33 @@ std::string to_string(PlateContact value) {
 }
 
 std::string to_string(Integrator value) {
-    return value == Integrator::verlet_half_step ? "verlet-half-step" : "verlet-predicted";
+    switch (value) {
+    case Integrator::verlet_half_step:
+        return "verlet-half-step";
+    case Integrator::verlet_predicted:
+        return "verlet-predicted";
+    case Integrator::leapfrog_crank_nicolson:
+        return "leapfrog-crank-nicolson";
+    case Integrator::semi_implicit_euler:
+        return "semi-implicit-euler";
+    case Integrator::explicit_euler:
+        return "explicit-euler";
+    case Integrator::runge_kutta_4:
+        return "runge-kutta-4";
+    case Integrator::taguchi_euler:
+        return "taguchi-euler";
+    case Integrator::taguchi_adaptive_euler:
+        return "taguchi-adaptive-euler";
+    }
+    return {};
+}
+
+std::string to_string(Contacts value) {
+    return value == Contacts::neighbour_list ? "neighbour-list" : "lattice-neighbours";
+}
+
+std::string to_string(Precision value) {
+    return value == Precision::double_precision ? "double" : "mixed";
 }
 
 }  // namespace crossgrain::scene

@@ -29,7 +29,31 @@ enum class PlateContact { centre, surface };
 /// `verlet_half_step`: kick dt/2, drift dt, force from (x_{n+1}, v_{n+1/2}), kick dt/2. This is
 /// what LAMMPS and LIGGGHTS do, and it is YADE's leap-frog seen half a step apart.
 /// `verlet_predicted`: the same with v_{n+1/2} + a_n dt/2 in the dashpot (second order).
-enum class Integrator { verlet_half_step, verlet_predicted };
+/// `leapfrog_crank_nicolson`: leap-frog with the mean of the old and new half-step velocities in
+/// the dashpot.
+/// `semi_implicit_euler`: v_{n+1} = v_n + a(x_n, v_n) dt, x_{n+1} = x_n + v_{n+1} dt.
+/// `explicit_euler`: the same with x_{n+1} = x_n + v_n dt.
+/// `runge_kutta_4`: the classical one.
+/// `taguchi_euler`: x_{n+1} = x_n + v_n dt + a_n dt^2/2, v_{n+1} = v_n + a_n dt (Taguchi, Eqs. 7
+/// and 8) at a fixed time step; `taguchi_adaptive_euler`: with the time step of his Eqs. 9 and 10,
+/// of which Scene::dt is the largest.
+enum class Integrator {
+    verlet_half_step,
+    verlet_predicted,
+    leapfrog_crank_nicolson,
+    semi_implicit_euler,
+    explicit_euler,
+    runge_kutta_4,
+    taguchi_euler,
+    taguchi_adaptive_euler
+};
+
+/// Which pairs may touch: any two grains, or only the six that are neighbours in the triangular
+/// lattice the run starts from (Taguchi, section 3), whatever passes through whatever.
+enum class Contacts { neighbour_list, lattice_neighbours };
+
+/// Arithmetic of the run: double throughout, or fixed-point positions with float velocities.
+enum class Precision { double_precision, mixed };
 
 /// Linear spring-dashpot contact between two discs:
 /// F_i = k (d - r) n - eta (v_i - v_j), contact while r < d  (Taguchi, Eq. 1).
@@ -41,11 +65,12 @@ struct ContactLaw {
     Spins spins = Spins::off;
 };
 
-/// Elastic horizontal plate moving as y(t) = height + amplitude cos(2 pi t / period).
+/// Elastic horizontal plate moving as y(t) = height + amplitude cos(2 pi (t/period + phase)).
 struct PrescribedPlate {
     double height = 0;     ///< mean height (length)
     double amplitude = 0;  ///< b (length), >= 0; 0 is a plate at rest
     double period = 1;     ///< 2 pi / omega_0 (time), > 0
+    double phase = 0;      ///< at t = 0, in periods
 };
 
 /// Elastic horizontal lid of finite mass under gravity (Taguchi, Eq. 2, with the -g that his
@@ -88,6 +113,8 @@ struct Scene {
     std::optional<double> periodic_x;  ///< period along x; open when absent
     std::optional<double> periodic_y;  ///< period along y; open when absent; excludes plates
     Integrator integrator = Integrator::verlet_half_step;
+    Contacts contacts = Contacts::neighbour_list;
+    Precision precision = Precision::double_precision;
     double dt = 0;                 ///< time step, > 0
     std::int64_t steps = 0;        ///< multiple of frame_every, > 0
     std::int64_t frame_every = 0;  ///< frames at 0, frame_every, ..., steps
@@ -105,6 +132,9 @@ struct Scene {
 /// omega = sqrt(2 k/m - (eta/m)^2) (Taguchi, below Eq. 1). Infinite when overdamped.
 [[nodiscard]] double contact_time(const Scene& scene);
 
+/// 2 pi phase: the angle of a plate's motion at t = 0.
+[[nodiscard]] double phase_angle(const PrescribedPlate& plate);
+
 /// Height of a prescribed plate at time t.
 [[nodiscard]] double height_at(const PrescribedPlate& plate, double t);
 
@@ -119,5 +149,7 @@ struct Scene {
 [[nodiscard]] std::string to_string(Spins value);
 [[nodiscard]] std::string to_string(PlateContact value);
 [[nodiscard]] std::string to_string(Integrator value);
+[[nodiscard]] std::string to_string(Contacts value);
+[[nodiscard]] std::string to_string(Precision value);
 
 }  // namespace crossgrain::scene

@@ -20,7 +20,11 @@ const std::array<std::string, 2> damping_words{"full-vector", "normal-only"};
 const std::array<std::string, 3> clipping_words{"none", "all", "normal-only"};
 const std::array<std::string, 2> spin_words{"off", "on"};
 const std::array<std::string, 2> touch_words{"centre", "surface"};
-const std::array<std::string, 2> integrator_words{"verlet-half-step", "verlet-predicted"};
+const std::array<std::string, 8> integrator_words{
+    "verlet-half-step", "verlet-predicted", "leapfrog-crank-nicolson", "semi-implicit-euler",
+    "explicit-euler",   "runge-kutta-4",    "taguchi-euler",           "taguchi-adaptive-euler"};
+const std::array<std::string, 2> contacts_words{"neighbour-list", "lattice-neighbours"};
+const std::array<std::string, 2> precision_words{"double", "mixed"};
 
 /// Says which of several exclusive keys is given; none or two of them is an error.
 std::string exactly_one(const TomlTable& t, const std::vector<std::string>& keys) {
@@ -81,7 +85,8 @@ PrescribedPlate read_prescribed_plate(const TomlTable& t) {
     const PrescribedPlate plate{
         .height = t.number("height", Range::any()),
         .amplitude = t.optional_number("amplitude", Range::not_negative()).value_or(0),
-        .period = t.optional_number("period", Range::positive()).value_or(1)};
+        .period = t.optional_number("period", Range::positive()).value_or(1),
+        .phase = t.optional_number("phase", Range::any()).value_or(0)};
     if (plate.amplitude > 0 && !t.has("period")) {
         throw t.missing("period", "the period of the plate's motion");
     }
@@ -107,6 +112,23 @@ Plates read_plates(const TomlTable& t, double contact_stiffness) {
     if (t.has("lid")) plates.lid = read_lid(t.table("lid"));
     t.reject_unknown_keys();
     return plates;
+}
+
+/// Gamma = b omega_0^2/g: the bottom's largest acceleration in units of gravity, in place of its
+/// amplitude b.
+void set_acceleration(const TomlTable& t, double gamma, Scene& scene) {
+    if (!scene.plates.bottom || scene.gravity == 0 ||
+        !t.table("plates").table("bottom").has("period")) {
+        throw t.error("gamma", "needs more", fmt::format("{:g}", gamma),
+                      "gravity and a bottom plate with a period");
+    }
+    auto& bottom = *scene.plates.bottom;
+    if (bottom.amplitude != 0) {
+        throw t.error("gamma", "contradicts", "the amplitude of 'plates.bottom' as well",
+                      "one of the two", "remove one");
+    }
+    const double omega = 2 * std::numbers::pi / bottom.period;
+    bottom.amplitude = gamma * scene.gravity / (omega * omega);
 }
 
 std::vector<double> time_steps(const TomlTable& t, double t_col) {
@@ -151,17 +173,22 @@ void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
     const TomlTable frames = t.table("frames");
     if (frames.has("first_and_last") && frames.boolean("first_and_last")) {
         scene.frame_every = scene.steps;
-        for (const char* key : {"every_time", "every_contact_times"}) {
+        for (const char* key : {"every_time", "every_contact_times", "every_steps"}) {
             if (frames.has(key)) {
                 throw frames.error(key, "contradicts", "'first_and_last' as well", "one of the two",
                                    "remove one");
             }
         }
     } else {
-        const Duration every = duration(frames, t_col, "every_time", "every_contact_times");
-        scene.frame_every = steps_in(frames, every, scene.dt);
+        const std::string key =
+            exactly_one(frames, {"every_time", "every_contact_times", "every_steps"});
+        scene.frame_every =
+            key == "every_steps"
+                ? frames.integer(key, 1)
+                : steps_in(frames, duration(frames, t_col, "every_time", "every_contact_times"),
+                           scene.dt);
         if (scene.frame_every > scene.steps) {
-            throw frames.error(every.key, "is longer than the run",
+            throw frames.error(key, "is longer than the run",
                                fmt::format("{} steps", scene.frame_every),
                                fmt::format("at most {} steps", scene.steps));
         }
@@ -201,9 +228,18 @@ Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
         scene.plates = read_plates(t.table("plates"), scene.contact.stiffness);
     }
     scene.gravity = t.number("gravity", Range::not_negative());
+    if (const auto gamma = t.optional_number("gamma", Range::positive())) {
+        set_acceleration(t, *gamma, scene);
+    }
     scene.periodic_x = t.optional_number("periodic_x", Range::positive());
     scene.periodic_y = t.optional_number("periodic_y", Range::positive());
     scene.integrator = static_cast<Integrator>(t.choice("integrator", integrator_words));
+    if (t.has("contacts")) {
+        scene.contacts = static_cast<Contacts>(t.choice("contacts", contacts_words));
+    }
+    if (t.has("precision")) {
+        scene.precision = static_cast<Precision>(t.choice("precision", precision_words));
+    }
     check_consistency(t, scene);
     const double t_col = contact_time(scene);
     scene.dt = time_steps(t, t_col).at(selection.rung);

@@ -15,6 +15,7 @@ struct SceneSelection {
     std::string name;        ///< becomes Scene::name
     std::size_t rung = 0;    ///< which of the listed time steps
     std::uint64_t seed = 1;  ///< of the initial state
+    std::string readings = {};  ///< directory of the shipped readings of the models' rules
 };
 
 /// Number of time steps listed in `dt` or `steps_per_contact_time` (the rungs of a ladder), >= 1.

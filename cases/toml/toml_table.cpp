@@ -219,6 +219,11 @@ bool TomlTable::is_text(std::string_view key) const {
     return node != nullptr && node->is_string();
 }
 
+bool TomlTable::is_table(std::string_view key) const {
+    const auto* node = find(key);
+    return node != nullptr && node->is_table();
+}
+
 std::size_t TomlTable::choice(std::string_view key, std::span<const std::string> words) const {
     const std::string value = text(key);
     const auto found = std::find(words.begin(), words.end(), value);

@@ -49,6 +49,7 @@ class TomlTable {
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
     [[nodiscard]] bool boolean(std::string_view key) const;
     [[nodiscard]] bool is_text(std::string_view key) const;
+    [[nodiscard]] bool is_table(std::string_view key) const;
     /// One of `words`; returns its index.
     [[nodiscard]] std::size_t choice(std::string_view key,
                                      std::span<const std::string> words) const;

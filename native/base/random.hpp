@@ -9,7 +9,12 @@
 namespace crossgrain {
 
 /// Names a stream, so that two uses of one seed never share numbers.
-enum class RandomStream : std::uint32_t { initial_velocity = 1, initial_position = 2, jitter = 3 };
+enum class RandomStream : std::uint32_t {
+    initial_velocity = 1,
+    initial_position = 2,
+    jitter = 3,
+    signal = 20
+};
 
 /// Uniform in the open interval (0, 1), 53 bits, for counter `n` of the stream.
 [[nodiscard]] double uniform(std::uint64_t seed, RandomStream stream, std::uint64_t n);

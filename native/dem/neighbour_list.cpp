@@ -64,11 +64,11 @@ NeighbourList::NeighbourList(double reach, double skin, std::optional<double> pe
                              std::optional<double> period_y)
     : range_(reach + skin), skin_(skin), period_x_(period_x), period_y_(period_y) {}
 
-void NeighbourList::update(const std::vector<double>& x, const std::vector<double>& y) {
+void NeighbourList::update(std::span<const double> x, std::span<const double> y) {
     if (builds_ == 0 || outdated(x, y)) build(x, y);
 }
 
-bool NeighbourList::outdated(const std::vector<double>& x, const std::vector<double>& y) const {
+bool NeighbourList::outdated(std::span<const double> x, std::span<const double> y) const {
     const double limit = skin_ * skin_ / 4;
     unsigned moved = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -81,7 +81,7 @@ bool NeighbourList::outdated(const std::vector<double>& x, const std::vector<dou
 }
 
 /// Also the place where a run that has blown up is noticed: cell indices need finite positions.
-NeighbourList::Axis NeighbourList::make_axis(const std::vector<double>& values,
+NeighbourList::Axis NeighbourList::make_axis(std::span<const double> values,
                                              const std::optional<double>& period, char name) const {
     double low = values.front();
     double high = values.front();
@@ -102,8 +102,8 @@ NeighbourList::Axis NeighbourList::make_axis(const std::vector<double>& values,
     return axis;
 }
 
-NeighbourList::Cells NeighbourList::make_cells(const std::vector<double>& x,
-                                               const std::vector<double>& y) const {
+NeighbourList::Cells NeighbourList::make_cells(std::span<const double> x,
+                                               std::span<const double> y) const {
     Cells cells{.x = make_axis(x, period_x_, 'x'),
                 .y = make_axis(y, period_y_, 'y'),
                 .start = {},
@@ -124,16 +124,16 @@ NeighbourList::Cells NeighbourList::make_cells(const std::vector<double>& x,
     return cells;
 }
 
-void NeighbourList::build(const std::vector<double>& x, const std::vector<double>& y) {
+void NeighbourList::build(std::span<const double> x, std::span<const double> y) {
     pairs_.clear();
     if (!x.empty()) pair_up(make_cells(x, y), x, y);
-    x_built_ = x;
-    y_built_ = y;
+    x_built_.assign(x.begin(), x.end());
+    y_built_.assign(y.begin(), y.end());
     ++builds_;
 }
 
-void NeighbourList::pair_up(const Cells& cells, const std::vector<double>& x,
-                            const std::vector<double>& y) {
+void NeighbourList::pair_up(const Cells& cells, std::span<const double> x,
+                            std::span<const double> y) {
     const double range_squared = range_ * range_;
     const auto try_pair = [&](std::uint32_t i, std::uint32_t j) {
         const double shift_x = shift_to_nearest(x[i] - x[j], period_x_);

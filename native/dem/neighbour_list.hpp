@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace crossgrain::dem {
@@ -24,7 +25,7 @@ class NeighbourList {
 
     /// Rebuilds if a grain has moved by more than skin/2 since the last build.
     /// Throws TrajectoryError if a position is not finite (or beyond 1e12 times the list range).
-    void update(const std::vector<double>& x, const std::vector<double>& y);
+    void update(std::span<const double> x, std::span<const double> y);
 
     [[nodiscard]] const std::vector<Pair>& pairs() const noexcept { return pairs_; }
     [[nodiscard]] std::int64_t builds() const noexcept { return builds_; }
@@ -32,13 +33,12 @@ class NeighbourList {
   private:
     struct Axis;
     struct Cells;
-    [[nodiscard]] Axis make_axis(const std::vector<double>& values,
+    [[nodiscard]] Axis make_axis(std::span<const double> values,
                                  const std::optional<double>& period, char name) const;
-    [[nodiscard]] bool outdated(const std::vector<double>& x, const std::vector<double>& y) const;
-    [[nodiscard]] Cells make_cells(const std::vector<double>& x,
-                                   const std::vector<double>& y) const;
-    void build(const std::vector<double>& x, const std::vector<double>& y);
-    void pair_up(const Cells& cells, const std::vector<double>& x, const std::vector<double>& y);
+    [[nodiscard]] bool outdated(std::span<const double> x, std::span<const double> y) const;
+    [[nodiscard]] Cells make_cells(std::span<const double> x, std::span<const double> y) const;
+    void build(std::span<const double> x, std::span<const double> y);
+    void pair_up(const Cells& cells, std::span<const double> x, std::span<const double> y);
 
     double range_;  ///< d + skin
     double skin_;

@@ -6,13 +6,13 @@
 #include "native/dem/system.hpp"
 
 #include <cstddef>
-#include <vector>
+#include <span>
 
 namespace crossgrain::dem {
 
 /// Adds the bottom's force to fy. shape (grains)
 inline void push_from_bottom(double bottom, double stiffness, double reach,
-                             const std::vector<double>& y, std::vector<double>& fy) {
+                             std::span<const double> y, std::span<double> fy) {
     for (std::size_t i = 0; i < y.size(); ++i) {
         const double overlap = bottom - (y[i] - reach);
         if (overlap > 0) fy[i] += stiffness * overlap;
@@ -20,8 +20,8 @@ inline void push_from_bottom(double bottom, double stiffness, double reach,
 }
 
 /// Adds the lid's force to fy and returns the sum of the reactions on the lid.
-inline double push_from_lid(double lid, double stiffness, double reach,
-                            const std::vector<double>& y, std::vector<double>& fy) {
+inline double push_from_lid(double lid, double stiffness, double reach, std::span<const double> y,
+                            std::span<double> fy) {
     double reaction = 0;
     for (std::size_t i = 0; i < y.size(); ++i) {
         const double overlap = (y[i] + reach) - lid;

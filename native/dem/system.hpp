@@ -13,15 +13,43 @@ namespace crossgrain::dem {
 
 enum class DampingDirection { full_vector, normal_only };
 enum class AttractiveTail { kept, contact_force_cut, normal_force_cut };
-enum class Scheme { verlet_half_step, verlet_predicted };
 
-/// Plate at y(t) = height + amplitude cos(omega t).
+/// How a time step is made; each is documented where it stands, in native/dem/scheme_*.hpp.
+/// `taguchi_euler` is the paper's scheme (Eqs. 7 and 8) at fixed dt; `taguchi_adaptive_euler` its
+/// adaptive form (Eqs. 9 and 10), with sub-steps that end exactly at multiples of dt and are never
+/// longer than it.
+enum class Scheme {
+    verlet_half_step,
+    verlet_predicted,
+    leapfrog_crank_nicolson,
+    semi_implicit_euler,
+    explicit_euler,
+    runge_kutta_4,
+    taguchi_euler,
+    taguchi_adaptive_euler
+};
+
+/// Which grains can touch: all that come near, or only those that are nearer than
+/// Parameters::lattice_cutoff at the start (Taguchi, section 3: six fixed neighbours). Contacts
+/// open and close by the step function in either case.
+enum class Contacts { neighbour_list, lattice_neighbours };
+
+/// `mixed`: positions are 32-bit integers, velocities and forces floats (simd kernel only).
+enum class Precision { double_precision, mixed };
+
+/// What computes the step. `automatic` is the simd kernel for verlet_predicted where it has what
+/// the system needs and the system is large enough, the scalar one otherwise
+/// (native/dem/kernel_choice.cpp). The scalar one rounds identically on every machine.
+enum class Kernel { automatic, scalar, simd };
+
+/// Plate at y(t) = height + amplitude cos(omega t + phase).
 struct MovingPlate {
     double height = 0;
     double amplitude = 0;
     double omega = 0;  ///< angular frequency (1/t)
+    double phase = 0;  ///< angle at t = 0
     [[nodiscard]] double position(double t) const {
-        return height + amplitude * std::cos(omega * t);
+        return height + amplitude * std::cos(omega * t + phase);
     }
 };
 
@@ -46,7 +74,15 @@ struct Parameters {
     std::optional<MovingPlate> bottom;
     Lid lid;
     Scheme scheme = Scheme::verlet_half_step;
-    double dt = 0;
+    double dt = 0;  ///< > 0; of taguchi_adaptive_euler the longest sub-step
+    Contacts contacts = Contacts::neighbour_list;
+    /// Distance up to which grains are fixed neighbours; 0 stands for 1.366 d, halfway between the
+    /// first and the second shell of a triangular lattice of spacing d.
+    double lattice_cutoff = 0;
+    Precision precision = Precision::double_precision;
+    Kernel kernel = Kernel::automatic;
+    int threads = 1;  ///< of the simd kernel, >= 1; results do not depend on it
+    double skin = 0;  ///< of the neighbour list (length); 0 leaves it to the kernel
 };
 
 /// Shape of all arrays: (grains). Positions are unwrapped.

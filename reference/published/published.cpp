@@ -3,20 +3,28 @@
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
 
+#include <array>
+
 namespace crossgrain::published {
 namespace {
 
 using toml_input::Range;
 using toml_input::TomlTable;
 
+const std::array<std::string, 3> trends{"constant", "increasing", "decreasing"};
+
 PublishedValue read_value(const TomlTable& t, const std::string& name, const std::string& source) {
     PublishedValue value{.id = name,
                          .quantity = t.text("quantity"),
-                         .value = t.number("value", Range::any()),
-                         .error = t.number("error", Range::not_negative()),
                          .source = source,
                          .place = t.text("place"),
                          .obtained = t.text("obtained")};
+    if (t.has("trend")) {
+        value.trend = trends[t.choice("trend", trends)];
+    } else {
+        value.value = t.number("value", Range::any());
+        value.error = t.number("error", Range::not_negative());
+    }
     t.reject_unknown_keys();
     return value;
 }

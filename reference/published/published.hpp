@@ -14,6 +14,7 @@ struct PublishedValue {
     std::string quantity;  ///< what it is, in words
     double value = 0;      ///< reduced units of the paper
     double error = 0;      ///< standard error as published; 0 if none is stated
+    std::string trend;     ///< instead of a value: "constant", "increasing" or "decreasing"
     std::string source;    ///< author, title, journal or preprint number
     std::string place;     ///< figure, section or page
     std::string obtained;  ///< read from text, from a figure, computed from stated numbers

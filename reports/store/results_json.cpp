@@ -1,6 +1,10 @@
 #include "reports/store/results_json.hpp"
 
+#include "reports/store/packed_bytes.hpp"
+
 #include <nlohmann/json.hpp>
+
+#include <stdexcept>
 
 namespace crossgrain::store {
 
@@ -26,9 +30,17 @@ json to_json(const measure::Results& results) {
     for (const auto& s : results.snapshots) {
         snapshots.push_back({{"time", s.time}, {"x", s.x}, {"y", s.y}});
     }
+    json pictures = json::array();
+    for (const auto& picture : results.pictures)
+        pictures.push_back(picture_to_json(picture));
+    json findings = json::array();
+    for (const auto& f : results.findings)
+        findings.push_back({{"name", f.name}, {"label", f.label}, {"detail", f.detail}});
     return {{"measurements", std::move(measurements)},
             {"series", std::move(series)},
-            {"snapshots", std::move(snapshots)}};
+            {"snapshots", std::move(snapshots)},
+            {"pictures", std::move(pictures)},
+            {"findings", std::move(findings)}};
 }
 
 measure::Results results_from_json(const json& document) {
@@ -51,7 +63,34 @@ measure::Results results_from_json(const json& document) {
     for (const auto& s : document.at("snapshots")) {
         results.snapshots.push_back({.time = s.at("time"), .x = s.at("x"), .y = s.at("y")});
     }
+    for (const auto& picture : document.value("pictures", json::array()))
+        results.pictures.push_back(picture_from_json(picture));
+    for (const auto& f : document.value("findings", json::array())) {
+        results.findings.push_back(
+            {.name = f.at("name"), .label = f.at("label"), .detail = f.at("detail")});
+    }
     return results;
+}
+
+json picture_to_json(const measure::Picture& picture) {
+    return {{"name", picture.name},       {"title", picture.title},
+            {"width", picture.width},     {"height", picture.height},
+            {"palette", picture.palette}, {"pixels", pack(picture.pixels)}};
+}
+
+measure::Picture picture_from_json(const json& document) {
+    measure::Picture picture{.name = document.at("name"),
+                             .title = document.at("title"),
+                             .width = document.at("width"),
+                             .height = document.at("height"),
+                             .pixels = {},
+                             .palette = document.at("palette")};
+    constexpr std::size_t most = std::size_t{1} << 15;  // of either side
+    if (picture.width > most || picture.height > most)
+        throw std::invalid_argument("a picture is larger than 32768 pixels");
+    picture.pixels =
+        unpack(document.at("pixels").get_ref<const std::string&>(), picture.width * picture.height);
+    return picture;
 }
 
 }  // namespace crossgrain::store

@@ -1,5 +1,6 @@
 #include "reports/store/store.hpp"
 
+#include "reports/store/picture_fault.hpp"
 #include "reports/store/results_json.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -61,6 +62,11 @@ void require_finite(const measure::Results& results) {
             continue;
         throw StoreError(fmt::format("measurement '{}' is not a finite number", m.observable));
     }
+}
+
+void require_complete(const measure::Picture& picture) {
+    if (const auto fault = picture_fault(picture))
+        throw StoreError(fmt::format("picture '{}' {}", picture.name, *fault));
 }
 
 std::vector<std::uint8_t> blob_of(const measure::Results& results) {
@@ -146,6 +152,8 @@ std::optional<RunRecord> Store::find(const std::string& key) const {
 
 std::int64_t Store::add(const RunRecord& run) {
     require_finite(run.results);
+    for (const auto& picture : run.results.pictures)
+        require_complete(picture);
     return guarded(directory_, [&] {
         SQLite::Transaction transaction(database_->sqlite);
         SQLite::Statement insert(

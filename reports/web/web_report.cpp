@@ -1,13 +1,16 @@
 #include "reports/web/web_report.hpp"
 
 #include <array>
+#include <set>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "native/base/errors.hpp"
 #include "reports/web/atomic_file.hpp"
+#include "reports/web/document_parts.hpp"
 
 namespace crossgrain::reports {
 namespace fs = std::filesystem;
@@ -27,9 +30,13 @@ void check_assets(const fs::path& assets) {
     }
 }
 
+bool is_data(const fs::path& path) {
+    return path.filename() == "data.js" || path.filename() == "history-data.js";
+}
+
 void copy_assets(const fs::path& assets, const fs::path& directory) {
     for (const auto& entry : fs::directory_iterator(assets)) {
-        if (!entry.is_regular_file() || entry.path().filename() == "data.js") continue;
+        if (!entry.is_regular_file() || is_data(entry.path())) continue;
         const fs::path target = directory / entry.path().filename();
         std::error_code error;
         fs::copy_file(entry.path(), target, fs::copy_options::overwrite_existing, error);
@@ -38,24 +45,21 @@ void copy_assets(const fs::path& assets, const fs::path& directory) {
     }
 }
 
-}  // namespace
-
-std::string data_script(const nlohmann::json& document) {
-    using Json = nlohmann::json;
-    // Log tails of foreign programs may hold any bytes: replaced by U+FFFD instead of an exception.
-    const std::string json = document.dump(-1, ' ', true, Json::error_handler_t::replace);
-    std::string script = "window.crossgrainReport = ";
-    script.reserve(script.size() + json.size() + json.size() / 64);
-    for (const char c : json) {
-        // Outside strings JSON has no '<', so the escape is always inside one.
-        if (c == '<')
-            script += "\\u003c";
-        else
-            script += c;
+/// Files of an older report in `folder` that the new one does not have.
+void remove_leftovers(const fs::path& folder, const std::string& extension,
+                      const std::set<fs::path>& written) {
+    std::error_code error;
+    std::vector<fs::path> leftovers;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        if (entry.path().extension() == extension && !written.contains(entry.path()))
+            leftovers.push_back(entry.path());
     }
-    script += ";\n";
-    return script;
+    // A leftover that stays is no fault of the new report.
+    for (const auto& path : leftovers)
+        fs::remove(path, error);
 }
+
+}  // namespace
 
 void write_web_report(const nlohmann::json& document, const fs::path& directory,
                       const fs::path& assets) {
@@ -67,7 +71,17 @@ void write_web_report(const nlohmann::json& document, const fs::path& directory,
                                 fmt::format("cannot create folder '{}'", directory.string()));
     // A report written where its assets are needs no copies.
     if (!fs::equivalent(assets, directory)) copy_assets(assets, directory);
-    write_file_atomically(directory / "data.js", data_script(document));
+    const DocumentParts parts = split(document);
+    std::set<fs::path> written;
+    for (const auto& [file, bytes] : parts.files) {
+        write_file_atomically(directory / file, bytes);
+        written.insert(directory / file);
+    }
+    write_file_atomically(directory / "history-data.js",
+                          script("window.crossgrainReport", parts.history));
+    write_file_atomically(directory / "data.js", script("window.crossgrainReport", parts.overview));
+    remove_leftovers(directory / "pictures", ".png", written);
+    remove_leftovers(directory / "series", ".js", written);
 }
 
 }  // namespace crossgrain::reports

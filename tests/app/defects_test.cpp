@@ -60,9 +60,9 @@ const std::vector<Defect>& defects() {
 }
 
 /// A code whose input has the defect, while everybody else believes in the scene as it is.
-class DefectiveCode final : public adapters::Code {
+class DefectiveCode final : public adapters::GrainCode {
   public:
-    DefectiveCode(const adapters::Code& code, std::function<void(Scene&)> plant)
+    DefectiveCode(const adapters::GrainCode& code, std::function<void(Scene&)> plant)
         : code_(code), plant_(std::move(plant)) {}
 
     [[nodiscard]] std::string name() const override { return code_.name(); }
@@ -85,7 +85,7 @@ class DefectiveCode final : public adapters::Code {
         return scene;
     }
 
-    const adapters::Code& code_;
+    const adapters::GrainCode& code_;
     std::function<void(Scene&)> plant_;
 };
 

@@ -33,7 +33,8 @@ BOOST_AUTO_TEST_CASE(shipped_cases_name_only_what_exists) {
 BOOST_AUTO_TEST_CASE(restitution_of_the_shipped_variants) {
     const auto the_case = shipped("collision-normal");
     const auto value = [&](std::size_t variant) {
-        return app::exact_value("analytic:restitution", the_case.scene(variant, 0, 1)).value();
+        return app::exact_value("analytic:restitution", the_case.grain_scene(variant, 0, 1))
+            .value();
     };
     // full: by construction; clipped: 0.80809934 head-on for e = 0.8; frozen: mu = m instead of
     // m/2.

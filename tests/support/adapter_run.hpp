@@ -12,7 +12,7 @@
 namespace crossgrain::tests {
 
 /// All frames of a run in a directory of its own. Throws what the code throws.
-inline std::vector<KeptFrame> frames_of(const adapters::Code& code, const scene::Scene& scene,
+inline std::vector<KeptFrame> frames_of(const adapters::GrainCode& code, const scene::Scene& scene,
                                         double time_limit = 60) {
     const TemporaryDirectory directory;
     std::vector<KeptFrame> frames;

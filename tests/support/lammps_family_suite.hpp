@@ -19,7 +19,7 @@
 
 namespace crossgrain::tests {
 
-[[nodiscard]] const adapters::Code& code_under_test();
+[[nodiscard]] const adapters::GrainCode& code_under_test();
 
 inline std::vector<KeptFrame> check(const scene::Scene& scene) {
     return check_parity(code_under_test(), scene);

@@ -10,22 +10,23 @@ window.crossgrain = window.crossgrain || {};
 
   const total = (runs, key) => runs.reduce((sum, run) => sum + (format.isNumber(run[key]) ? run[key] : 0), 0);
 
-  /** One entry per case, code and unit of work. */
+  const mostVariants = 4; // with more, a case has one entry for all of them
+
+  /** One entry per case, variant, code and unit of work. */
   function costs(report) {
     return list(report.cases).flatMap((item) => {
       const done = list(item.runs).filter((run) => run.status === "ok" && format.isNumber(run.cpu_s));
-      const groups = groupBy(
-        done,
-        (run) => run.code + "\n" + (run.variant || "") + "\n" + (run.work_unit || ""),
-      );
       const variants = new Set(done.map((run) => run.variant || "")).size;
+      const variantOf = (run) =>
+        variants > mostVariants ? format.plural(variants, "variant") : run.variant || "";
+      const groups = groupBy(done, (run) => [run.code, variantOf(run), run.work_unit || ""].join("\n"));
       return [...groups.values()].map((runs) => {
         const cpu = total(runs, "cpu_s");
         const work = total(runs, "work");
         return {
           case: item.case,
           code: runs[0].code,
-          label: item.case + (variants > 1 && runs[0].variant ? ", " + runs[0].variant : ""),
+          label: item.case + (variants > 1 && variantOf(runs[0]) ? ", " + variantOf(runs[0]) : ""),
           runs: runs.length,
           cpu,
           wall: total(runs, "wall_s"),

@@ -7,7 +7,8 @@ window.crossgrain = window.crossgrain || {};
   const { order, isExpected, badge } = crossgrain.outcomes;
   const { allVerdicts, groupBy } = crossgrain.data;
 
-  const mostListed = 4;
+  const mostListed = 4; // questions of a row
+  const mostRows = 30;
   const keyOf = (verdict) => [verdict.code, verdict.verdict, isExpected(verdict), verdict.reason].join("\n");
 
   /** "bed-fluid: spectrum-exponent against lammps (full, layers 1–5)". */
@@ -39,21 +40,30 @@ window.crossgrain = window.crossgrain || {};
     ];
   }
 
+  function exceptionsTable(caption, groups) {
+    const columns = ["code", "outcome", "question", "reason"].map((title) => ({ title }));
+    return table({ caption, columns, rows: groups.map(row), className: "exceptions", cards: true });
+  }
+
   crossgrain.exceptions = (report) => {
     const rest = allVerdicts(report).filter((verdict) => verdict.verdict !== "agree" || !isExpected(verdict));
     if (rest.length === 0) return [];
     const groups = [...groupBy(rest, keyOf).values()].sort(
       ([a], [b]) => isExpected(a) - isExpected(b) || order.indexOf(a.verdict) - order.indexOf(b.verdict),
     );
-    const columns = ["code", "outcome", "question", "reason"].map((title) => ({ title }));
+    const first = groups.filter(([verdict], i) => i < mostRows || !isExpected(verdict));
+    const others = groups.slice(first.length);
+    const caption = "Everything that is not “agree”, unexpected first";
     return [
-      table({
-        caption: "Everything that is not “agree”, unexpected first",
-        columns,
-        rows: groups.map(row),
-        className: "exceptions",
-        cards: true,
-      }),
+      exceptionsTable(caption, first),
+      others.length
+        ? el(
+            "details",
+            {},
+            el("summary", {}, others.length + " more, all of them expected"),
+            exceptionsTable("Expected, continued", others),
+          )
+        : null,
     ];
   };
 })(window.crossgrain);

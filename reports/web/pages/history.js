@@ -8,6 +8,8 @@ window.crossgrain = window.crossgrain || {};
   const { chart, hasBand } = crossgrain.historyChart;
   const format = crossgrain.format;
 
+  const mostRows = 200;
+
   const states = {
     left_band: { symbol: "▲", word: "left the band" },
     in_band: { symbol: "–", word: "in the band" },
@@ -43,13 +45,6 @@ window.crossgrain = window.crossgrain || {};
       state(series),
       points.length ? chart(series) : missing("No entry."),
     ];
-  }
-
-  /** What the filters look at. */
-  function attributes(series) {
-    const text = [series.case, series.variant, series.code, series.observable].join(" ").toLowerCase();
-    const status = series.status || "unknown";
-    return { "data-case": series.case, "data-code": series.code, "data-status": status, "data-text": text };
   }
 
   function sentence(all) {
@@ -91,19 +86,28 @@ window.crossgrain = window.crossgrain || {};
     "Latest value ± standard error; shaded in the charts: the band of earlier values. " +
     "Series that left it come first.";
 
+  /** The first rows of what fits, and a button for the others: a store may hold thousands. */
+  function historyTable(fitting, most) {
+    const shown = fitting.slice(0, most);
+    const rowAttributes = (i) => ({ "data-status": shown[i].status || "unknown" });
+    const rows = shown.map(row);
+    const part = table({ caption, columns, rows, className: "history", cards: true, rowAttributes });
+    if (fitting.length <= most) return [part];
+    const more = el("button", { type: "button", class: "fold" }, "show all " + fitting.length + " series");
+    more.addEventListener("click", () => {
+      part.parentElement.replaceChildren(...historyTable(fitting, fitting.length));
+    });
+    return [part, more];
+  }
+
   crossgrain.history = (report) => {
     const all = list((report.history || {}).series);
     if (all.length === 0)
       return [missing("No history in this store: it begins with the second entry of a case.")];
     const sorted = [...all].sort((a, b) => (b.status === "left_band") - (a.status === "left_band"));
-    const rowAttributes = (i) => attributes(sorted[i]);
-    const rows = sorted.map(row);
-    const shown = table({ caption, columns, rows, className: "history", cards: true, rowAttributes });
-    const filter = crossgrain.historyFilter(
-      all,
-      shown.querySelector("table"),
-      (status) => stateOf({ status }).word,
-    );
-    return [sentence(all), filter, shown];
+    const place = el("div", {});
+    const show = (fitting) => place.replaceChildren(...historyTable(fitting, mostRows));
+    const filter = crossgrain.historyFilter(sorted, show, (status) => stateOf({ status }).word);
+    return [sentence(all), filter, place];
   };
 })(window.crossgrain);

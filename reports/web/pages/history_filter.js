@@ -5,15 +5,19 @@ window.crossgrain = window.crossgrain || {};
   const { el, select } = crossgrain.dom;
   const format = crossgrain.format;
 
-  /** The controls above the `table` of all series; `stateWord` names a status. */
-  crossgrain.historyFilter = (all, table, stateWord) => {
+  const textOf = (series) =>
+    [series.case, series.variant, series.code, series.observable].join(" ").toLowerCase();
+  const statusOf = (series) => series.status || "unknown";
+
+  /** The controls above the table; `show` gets the series that fit; `stateWord` names a status. */
+  crossgrain.historyFilter = (all, show, stateWord) => {
     const options = (key, any) => [
       { value: "all", text: any },
       ...[...new Set(all.map((series) => series[key]))].map((value) => ({ value, text: value })),
     ];
     const byCase = select("history-case", "case", options("case", "all cases"));
     const byCode = select("history-code", "code", options("code", "all codes"));
-    const present = [...new Set(all.map((series) => series.status || "unknown"))].map((value) => ({
+    const present = [...new Set(all.map(statusOf))].map((value) => ({
       value,
       text: stateWord(value),
     }));
@@ -29,17 +33,15 @@ window.crossgrain = window.crossgrain || {};
     const fits = (wanted, value) => wanted === "all" || wanted === value;
     const apply = () => {
       const text = search.querySelector("input").value.trim().toLowerCase();
-      let shown = 0;
-      for (const line of table.tBodies[0].rows) {
-        line.hidden = !(
-          fits(chosen(byCase), line.dataset.case) &&
-          fits(chosen(byCode), line.dataset.code) &&
-          fits(chosen(byState), line.dataset.status) &&
-          line.dataset.text.includes(text)
-        );
-        shown += !line.hidden;
-      }
-      status.textContent = shown + " of " + format.plural(all.length, "series", "series");
+      const fitting = all.filter(
+        (series) =>
+          fits(chosen(byCase), series.case) &&
+          fits(chosen(byCode), series.code) &&
+          fits(chosen(byState), statusOf(series)) &&
+          textOf(series).includes(text),
+      );
+      show(fitting);
+      status.textContent = fitting.length + " of " + format.plural(all.length, "series", "series");
     };
     for (const control of [byCase, byCode, byState, search]) control.addEventListener("input", apply);
     apply();

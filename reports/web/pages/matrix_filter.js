@@ -18,6 +18,8 @@ window.crossgrain = window.crossgrain || {};
   function applyFilter(table, caseName, outcome, status) {
     let shown = 0;
     let total = 0;
+    // Who filters wants to see every match, also in folded cases.
+    table.classList.toggle("filtered", caseName !== "all" || outcome !== "all");
     for (const body of table.tBodies) {
       const inCase = caseName === "all" || body.dataset.case === caseName;
       let any = false;

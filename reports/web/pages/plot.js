@@ -124,12 +124,18 @@ window.crossgrain = window.crossgrain || {};
     { rootMargin: "400px" },
   );
 
+  /** Figures that the page has replaced by others are forgotten. */
+  function present() {
+    for (const plot of [...figures.keys()]) if (!plot.isConnected) figures.delete(plot);
+    return [...figures];
+  }
+
   function drawAll() {
-    for (const plot of [...figures.keys()]) draw(plot);
+    for (const [plot] of present()) draw(plot);
   }
 
   function redrawDrawn() {
-    for (const [plot, figure] of figures) if (figure.drawn) draw(plot);
+    for (const [plot, figure] of present()) if (figure.drawn) draw(plot);
   }
 
   function toggle(plot, group) {

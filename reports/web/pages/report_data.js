@@ -29,6 +29,16 @@ window.crossgrain = window.crossgrain || {};
     );
   }
 
+  /** The measurement behind a verdict, when the document leaves no doubt which one it is. */
+  function measurementOf(item, verdict) {
+    const found = list(item.measurements).filter(
+      (m) => m.code === verdict.code && m.observable === verdict.observable,
+    );
+    const same = found.filter((m) => (m.variant || "") === (verdict.setting || ""));
+    if (same.length === 1) return same[0];
+    return found.length === 1 ? found[0] : null;
+  }
+
   /** Why codes that were asked to run this case are not in a figure: "yade: not installed (...)". */
   function absences(item, name) {
     const present = new Set(
@@ -74,5 +84,15 @@ window.crossgrain = window.crossgrain || {};
     return groups;
   }
 
-  crossgrain.data = { list, column, columnUnit, seriesNamed, allVerdicts, absences, perCase, groupBy };
+  crossgrain.data = {
+    list,
+    column,
+    columnUnit,
+    seriesNamed,
+    allVerdicts,
+    measurementOf,
+    absences,
+    perCase,
+    groupBy,
+  };
 })(window.crossgrain);

@@ -49,9 +49,7 @@ window.crossgrain = window.crossgrain || {};
     );
   }
 
-  crossgrain.runs = (report) => {
-    const runs = runsOf(report);
-    if (runs.length === 0) return [missing("No run in this report.")];
+  function runsTable(runs) {
     const columns = [
       { title: "case" },
       { title: "code" },
@@ -78,21 +76,29 @@ window.crossgrain = window.crossgrain || {};
       ],
     ]);
     const rowAttributes = (i) => ({ "data-status": runs[i].status });
-    // Some hundred rows that few readers want: folded, below the failures, which are not.
-    return [
-      failures(runs),
-      el(
-        "details",
-        { class: "all-runs" },
-        el("summary", {}, "all " + format.plural(runs.length, "run")),
-        table({
-          caption: format.plural(runs.length, "run"),
-          columns,
-          rows,
-          className: "compact runs",
-          rowAttributes,
-        }),
-      ),
-    ];
+    return table({
+      caption: format.plural(runs.length, "run"),
+      columns,
+      rows,
+      className: "compact runs",
+      rowAttributes,
+    });
+  }
+
+  /** Some thousand rows that few readers want: built when they are first asked for. */
+  function folded(runs) {
+    const details = el(
+      "details",
+      { class: "all-runs" },
+      el("summary", {}, "all " + format.plural(runs.length, "run")),
+    );
+    details.addEventListener("toggle", () => details.append(runsTable(runs)), { once: true });
+    return details;
+  }
+
+  crossgrain.runs = (report) => {
+    const runs = runsOf(report);
+    if (runs.length === 0) return [missing("No run in this report.")];
+    return [failures(runs), folded(runs)];
   };
 })(window.crossgrain);

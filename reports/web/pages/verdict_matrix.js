@@ -6,9 +6,11 @@ window.crossgrain = window.crossgrain || {};
   "use strict";
   const { el, missing } = crossgrain.dom;
   const { describe, isExpected, badge, details, countByOutcome } = crossgrain.outcomes;
-  const { list, allVerdicts } = crossgrain.data;
+  const { list, allVerdicts, measurementOf } = crossgrain.data;
   const { label, pairLabel } = crossgrain.codes;
   const format = crossgrain.format;
+
+  const mostRows = 12; // of a case before it is folded; what is unexpected always stands
 
   function codeNames(report) {
     const names = list(report.codes).map((entry) => entry.code);
@@ -63,13 +65,9 @@ window.crossgrain = window.crossgrain || {};
     return rows;
   }
 
-  /** The measurement behind a verdict, when the document leaves no doubt which one it is. */
   function measuredBy(item, verdict) {
-    const found = list(item.measurements).filter(
-      (m) => m.code === verdict.code && m.observable === verdict.observable,
-    );
-    if (found.length !== 1) return [];
-    const m = found[0];
+    const m = measurementOf(item, verdict);
+    if (!m) return [];
     const systematic = m.systematic ? ", systematic " + format.exact(m.systematic) : "";
     return [
       [
@@ -134,7 +132,8 @@ window.crossgrain = window.crossgrain || {};
         verdicts ? verdicts.map((verdict) => chip(item, verdict)) : el("span", { title: "no verdict" }, "·"),
       );
     });
-    return el("tr", { role: "row" }, head, cells);
+    const quiet = [...row.cells.values()].flat().every(isExpected);
+    return el("tr", { role: "row", class: quiet ? "quiet" : null }, head, cells);
   }
 
   function caseCounts(item) {
@@ -145,7 +144,19 @@ window.crossgrain = window.crossgrain || {};
     return el("span", { class: "case-counts" }, counts);
   }
 
-  function caseHeading(item, span) {
+  /** Shows or hides the rows of a long case that hold nothing unexpected. */
+  function foldButton(count) {
+    const text = (folded) => (folded ? "show all " + format.plural(count, "row") : "fold");
+    const button = el("button", { type: "button", class: "fold", "aria-expanded": "false" }, text(true));
+    button.addEventListener("click", () => {
+      const folded = button.closest("tbody").classList.toggle("folded");
+      button.setAttribute("aria-expanded", String(!folded));
+      button.textContent = text(folded);
+    });
+    return button;
+  }
+
+  function caseHeading(item, span, rows) {
     const source = item.source ? el("span", { class: "soft" }, " Source: " + item.source) : null;
     const explained = item.text || item.source;
     return el(
@@ -163,6 +174,8 @@ window.crossgrain = window.crossgrain || {};
           explained
             ? el("details", {}, el("summary", {}, "what and why"), el("p", {}, item.text || "", source))
             : null,
+          crossgrain.caseLink(item),
+          rows > mostRows ? foldButton(rows) : null,
           caseCounts(item),
         ),
       ),
@@ -179,7 +192,12 @@ window.crossgrain = window.crossgrain || {};
       const cell = el("td", { role: "cell", colspan: span }, missing(text));
       rows.push(el("tr", { role: "row", class: "no-verdict" }, cell));
     }
-    return el("tbody", { role: "rowgroup", "data-case": item.case }, caseHeading(item, span), rows);
+    return el(
+      "tbody",
+      { role: "rowgroup", "data-case": item.case, class: rows.length > mostRows ? "folded" : null },
+      caseHeading(item, span, rows.length),
+      rows,
+    );
   }
 
   function head(columns) {

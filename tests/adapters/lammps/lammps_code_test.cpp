@@ -15,7 +15,7 @@ using adapters::LammpsCode;
 using NeedsLammps = tests::NeedsCode<LammpsCode>;
 BOOST_TEST_GLOBAL_FIXTURE(NeedsLammps);
 
-const adapters::Code& tests::code_under_test() {
+const adapters::GrainCode& tests::code_under_test() {
     static const LammpsCode code;
     return code;
 }

@@ -19,7 +19,7 @@ using tests::with_law;
 using NeedsLiggghts = tests::NeedsCode<LiggghtsCode>;
 BOOST_TEST_GLOBAL_FIXTURE(NeedsLiggghts);
 
-const adapters::Code& tests::code_under_test() {
+const adapters::GrainCode& tests::code_under_test() {
     static const LiggghtsCode code;
     return code;
 }

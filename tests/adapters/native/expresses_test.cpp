@@ -43,6 +43,25 @@ BOOST_AUTO_TEST_CASE(it_expresses_every_law_without_spins) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(it_expresses_every_integrator_and_both_kinds_of_contacts) {
+    auto s = tests::small_bed();
+    for (int i = 0; i <= static_cast<int>(scene::Integrator::taguchi_adaptive_euler); ++i) {
+        s.integrator = static_cast<scene::Integrator>(i);
+        for (const auto contacts :
+             {scene::Contacts::neighbour_list, scene::Contacts::lattice_neighbours}) {
+            s.contacts = contacts;
+            BOOST_TEST(reason(s) == "");
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(it_refuses_mixed_precision_where_its_kernel_lacks_something) {
+    auto s = tests::small_bed();
+    s.precision = scene::Precision::mixed;
+    s.integrator = scene::Integrator::runge_kutta_4;
+    BOOST_TEST(reason(s).find("precision = \"double\"") != std::string::npos, reason(s));
+}
+
 BOOST_AUTO_TEST_CASE(it_refuses_spins_and_says_so) {
     auto s = tests::head_on_pair();
     s.contact.spins = scene::Spins::on;

@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(every_key_of_the_file_arrives_in_the_case) {
     BOOST_TEST(c.observables[0].name == "momentum");
     BOOST_TEST(c.observables[0].line == 24);
     BOOST_TEST(c.checks.size() == 1u);
-    const auto scene = c.scene(0, 0, 7);
+    const auto scene = c.grain_scene(0, 0, 7);
     BOOST_TEST(scene.name == "small");
     BOOST_TEST(scene.seed == 7u);
     BOOST_TEST(scene.dt == 1e-3);
@@ -127,10 +127,11 @@ BOOST_AUTO_TEST_CASE(the_quick_suite_lays_its_table_over_the_case) {
                                   "[quick.scene]\ndt = 2e-3\n[quick.scene.contact]\n"
                                   "restitution = 0.5\n";
     const auto full = load(text, Suite::full), quick = load(text, Suite::quick);
-    BOOST_TEST(full.scene(0, 0, 1).dt == 1e-3);
-    BOOST_TEST(quick.scene(0, 0, 1).dt == 2e-3);
-    BOOST_TEST(full.scene(0, 0, 1).contact.damping < quick.scene(0, 0, 1).contact.damping);
-    BOOST_TEST(quick.scene(0, 0, 1).gravity == 0.0);  // what it leaves out stays
+    BOOST_TEST(full.grain_scene(0, 0, 1).dt == 1e-3);
+    BOOST_TEST(quick.grain_scene(0, 0, 1).dt == 2e-3);
+    BOOST_TEST(full.grain_scene(0, 0, 1).contact.damping <
+               quick.grain_scene(0, 0, 1).contact.damping);
+    BOOST_TEST(quick.grain_scene(0, 0, 1).gravity == 0.0);  // what it leaves out stays
     BOOST_TEST(full.time_limit == 60.0);
     BOOST_TEST(quick.time_limit == 5.0);
     BOOST_TEST(full.replicas.of("native-dem") == 2);
@@ -149,14 +150,14 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_of_the_quick_table_is_refused) {
 
 BOOST_AUTO_TEST_CASE(the_same_seed_gives_the_same_scene_and_another_seed_another) {
     const auto c = load(case_text);
-    BOOST_TEST(c.scene(0, 0, 4).initial.x == c.scene(0, 0, 4).initial.x,
+    BOOST_TEST(c.grain_scene(0, 0, 4).initial.x == c.grain_scene(0, 0, 4).initial.x,
                boost::test_tools::per_element());
-    BOOST_TEST(c.scene(0, 0, 4).initial.x != c.scene(0, 0, 5).initial.x,
+    BOOST_TEST(c.grain_scene(0, 0, 4).initial.x != c.grain_scene(0, 0, 5).initial.x,
                boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_case_outlives_its_file) {
     // load() has deleted the file; scenes are made later, in other threads.
     const auto copy = load(case_text);
-    BOOST_CHECK_NO_THROW((void)copy.scene(0, 0, 1));
+    BOOST_CHECK_NO_THROW((void)copy.grain_scene(0, 0, 1));
 }

@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(every_scene_of_every_case_starts_without_contacts) {
     for_every_case([](const catalog::Case& c) {
         for (std::size_t v = 0; v < c.variants.size(); ++v) {
             for (std::size_t rung = 0; rung < c.variants[v].rungs; ++rung) {
-                const auto scene = c.scene(v, rung, 3);
+                const auto scene = c.grain_scene(v, rung, 3);
                 BOOST_TEST(scene::initial_contacts(scene) == 0u);
                 BOOST_TEST(scene.grain_count() > 0u);
                 BOOST_TEST(scene.steps % scene.frame_every == 0);

@@ -32,36 +32,36 @@ BOOST_AUTO_TEST_CASE(a_variant_is_laid_over_the_scene) {
     BOOST_TEST(c.variants[0].name == "hard");
     BOOST_TEST(c.variants[0].rungs == 1u);
     BOOST_TEST(c.variants[0].not_expressible_in.empty());
-    BOOST_TEST(contact_time(c.scene(0, 0, 1)) == 0.05, tt::tolerance(1e-14));
-    BOOST_TEST(contact_time(c.scene(1, 0, 1)) == 0.1, tt::tolerance(1e-14));
-    BOOST_TEST(c.scene(0, 0, 1).dt == 1e-3);  // what it leaves out stays
+    BOOST_TEST(contact_time(c.grain_scene(0, 0, 1)) == 0.05, tt::tolerance(1e-14));
+    BOOST_TEST(contact_time(c.grain_scene(1, 0, 1)) == 0.1, tt::tolerance(1e-14));
+    BOOST_TEST(c.grain_scene(0, 0, 1).dt == 1e-3);  // what it leaves out stays
 }
 
 BOOST_AUTO_TEST_CASE(a_ladder_has_one_scene_per_time_step) {
     const auto c = load(two_variants);
     BOOST_TEST(c.variants[1].rungs == 3u);
     BOOST_TEST(c.variants[1].not_expressible_in.at(1) == "lammps");
-    BOOST_TEST(c.scene(1, 0, 1).dt == 1e-3);
-    BOOST_TEST(c.scene(1, 1, 1).dt == 5e-4);
-    BOOST_TEST(c.scene(1, 2, 1).dt == 2.5e-4);
-    BOOST_TEST(c.scene(1, 2, 1).steps == 4000);
+    BOOST_TEST(c.grain_scene(1, 0, 1).dt == 1e-3);
+    BOOST_TEST(c.grain_scene(1, 1, 1).dt == 5e-4);
+    BOOST_TEST(c.grain_scene(1, 2, 1).dt == 2.5e-4);
+    BOOST_TEST(c.grain_scene(1, 2, 1).steps == 4000);
 }
 
 BOOST_AUTO_TEST_CASE(scenes_are_named_by_case_variant_and_rung) {
     const auto c = load(two_variants);
-    BOOST_TEST(c.scene(0, 0, 1).name == "small/hard");
-    BOOST_TEST(c.scene(1, 0, 1).name == "small/ladder/1");
-    BOOST_TEST(c.scene(1, 2, 1).name == "small/ladder/3");
-    BOOST_TEST(load(case_text).scene(0, 0, 1).name == "small");
+    BOOST_TEST(c.grain_scene(0, 0, 1).name == "small/hard");
+    BOOST_TEST(c.grain_scene(1, 0, 1).name == "small/ladder/1");
+    BOOST_TEST(c.grain_scene(1, 2, 1).name == "small/ladder/3");
+    BOOST_TEST(load(case_text).grain_scene(0, 0, 1).name == "small");
 }
 
 BOOST_AUTO_TEST_CASE(a_variant_wins_over_the_quick_table_and_that_over_the_case) {
     const auto text = two_variants + "[quick.scene]\ndt = 2e-3\nperiodic_x = 25.0\n";
     const auto quick = load(text, Suite::quick);
-    BOOST_TEST(quick.scene(0, 0, 1).dt == 2e-3);
-    BOOST_TEST(quick.scene(1, 0, 1).dt == 1e-3);
+    BOOST_TEST(quick.grain_scene(0, 0, 1).dt == 2e-3);
+    BOOST_TEST(quick.grain_scene(1, 0, 1).dt == 1e-3);
     BOOST_TEST(quick.variants[1].rungs == 3u);
-    BOOST_TEST(quick.scene(1, 0, 1).periodic_x.value() == 25.0);
+    BOOST_TEST(quick.grain_scene(1, 0, 1).periodic_x.value() == 25.0);
 }
 
 BOOST_AUTO_TEST_CASE(every_variant_s_scene_is_checked_when_the_case_is_loaded) {

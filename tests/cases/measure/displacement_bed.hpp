@@ -50,7 +50,7 @@ inline measure::Results run(int vectors, const Field& field,
                             measure::DisplacementSpectrumOptions options,
                             const scene::Scene& scene = bed()) {
     options.spacing = options.spacing == 0 ? h0 : options.spacing;
-    const bool upward = options.crossing == measure::Crossing::upward;
+    const bool upward = options.crossing != measure::Crossing::downward;
     const double first = upward ? 1.0 : 1.5, start = upward ? 0.4 : 0.8;
     measure::DisplacementSpectrum estimator(scene, options);
     std::vector<double> moved(static_cast<std::size_t>(cells * layers), 0.0);

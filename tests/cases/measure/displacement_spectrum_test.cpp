@@ -60,8 +60,43 @@ BOOST_AUTO_TEST_CASE(layers_are_counted_from_the_moving_bottom) {
 BOOST_AUTO_TEST_CASE(downward_crossings) {
     const auto field = exact_power_law([](int) { return -1.0; });
     const auto down = run(4, field, {.crossing = Crossing::downward});
-    BOOST_TEST(get(down, "displacement_vectors").value == 4);
-    BOOST_TEST(get(down, "slope_1_5").value == -1.0, tt::tolerance(1e-6));
+    BOOST_TEST(get(down, "displacement_vectors_downward").value == 4);
+    BOOST_TEST(get(down, "slope_1_5_downward").value == -1.0, tt::tolerance(1e-6));
+    BOOST_TEST(!find(down, "slope_1_5"));
+    BOOST_TEST(column(down, "spectrum-downward", "K").size() == 32U);
+}
+
+BOOST_AUTO_TEST_CASE(crossings_either_way_double_the_vectors) {
+    // Grains jump at the downward crossing that ends a vector, at the latest: every second vector
+    // holds the displacement, the others are empty.
+    const auto field = exact_power_law([](int) { return -1.0; });
+    const auto both = run(4, field, {.crossing = Crossing::either});
+    BOOST_TEST(get(both, "displacement_vectors_either").value >= 7);
+    BOOST_TEST(get(both, "slope_1_5_either").value == -1.0, tt::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(slopes_over_the_stated_windows) {
+    const auto results = run(4, exact_power_law([](int) { return -1.5; }), {});
+    BOOST_TEST(get(results, "slope_1_5_K1_8").value == -1.5, tt::tolerance(1e-6));
+    BOOST_TEST(get(results, "slope_1_5_K1_8").settings.at("k_max") == 8);
+    BOOST_TEST(get(results, "slope_16_20_K1_32").value == -1.5, tt::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(field_of_the_last_vector_is_kept) {
+    const auto results = run(
+        3, [](int n, int layer, int cell) { return 1e-3 * n + 1e-5 * layer + 1e-7 * cell; }, {});
+    const auto dx = column(results, "displacement-field", "dx");
+    const auto x = column(results, "displacement-field", "x");
+    const auto y = column(results, "displacement-field", "y");
+    BOOST_TEST_REQUIRE(dx.size() == static_cast<std::size_t>(cells * layers));
+    // The third vector (n = 2), grain 3 of layer 2.
+    const std::size_t grain = cells + 3;
+    BOOST_TEST(dx[grain] == 2e-3 + 2e-5 + 3e-7, tt::tolerance(1e-8));
+    BOOST_TEST(y[grain] == 1.4 * cell_height, tt::tolerance(1e-9));
+    for (const double position : x) {
+        BOOST_TEST_REQUIRE(position >= 0);
+        BOOST_TEST_REQUIRE(position < length);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(transient_is_skipped) {

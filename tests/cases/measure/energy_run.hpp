@@ -18,8 +18,9 @@ inline scene::Scene damped_scene(std::size_t grains, double interval) {
     return scene;
 }
 
-inline measure::Results run(const scene::Scene& scene, const std::vector<SyntheticFrame>& frames) {
-    measure::EnergyBalance estimator(scene);
+inline measure::Results run(const scene::Scene& scene, const std::vector<SyntheticFrame>& frames,
+                            measure::EnergyBalanceOptions options = {}) {
+    measure::EnergyBalance estimator(scene, options);
     for (const auto& frame : frames)
         estimator.add(frame.view());
     measure::Results results;

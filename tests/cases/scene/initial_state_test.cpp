@@ -212,3 +212,45 @@ BOOST_AUTO_TEST_CASE(a_bounce_on_the_free_lid_comes_from_below) {
     BOOST_TEST(scene.initial.vy[0] == 2.0);
     BOOST_TEST(scene.initial.y[0] == 10 - 1 - 5.5 * 2e-3, tt::tolerance(1e-14));
 }
+
+namespace {
+
+/// A box between plates at rest, `period` wide.
+Scene packing(double period, std::size_t count) {
+    auto scene = empty_box();
+    scene.periodic_y.reset();
+    scene.periodic_x = period;
+    scene.plates = {.stiffness = 500,
+                    .touches = {},
+                    .bottom = PrescribedPlate{.height = 1},
+                    .lid = PrescribedPlate{.height = 100}};
+    generate_initial_state(scene, Packing{.count = count, .velocity_spread = 0.1});
+    return scene;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_packing_touches_everywhere_and_overlaps_nowhere) {
+    for (const double period : {20.0, 20.0000001}) {
+        const auto scene = packing(period, 60);
+        BOOST_TEST(initial_contacts(scene) == 0U);
+        const auto& s = scene.initial;
+        BOOST_TEST(s.y[0] == 1.0);
+        BOOST_TEST(s.y[10] - s.y[0] == std::sqrt(3.0), tt::tolerance(1e-7));
+        // Six neighbours at the diameter, but for grains of the lowest and the highest row.
+        std::size_t bonds = 0;
+        for (std::size_t i = 0; i < s.x.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                const double dx = nearest_image(s.x[i] - s.x[j], scene.periodic_x);
+                if (std::hypot(dx, s.y[i] - s.y[j]) < 2 * (1 + 1e-7)) ++bonds;
+            }
+        }
+        BOOST_TEST(bonds == 60U + 2 * 50U);  // along the rows, and two up from all but the last
+        BOOST_TEST(std::abs(sum(s.vx)) < 1e-14);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_packing_fills_its_rows) {
+    BOOST_CHECK_THROW((void)packing(20, 61), std::invalid_argument);
+    BOOST_CHECK_THROW((void)packing(19.9, 60), std::invalid_argument);  // nine columns
+}

@@ -63,6 +63,57 @@ BOOST_AUTO_TEST_CASE(every_word_arrives_as_its_own_choice) {
     BOOST_TEST((with("\"off\"", "\"on\"").contact.spins == Spins::on));
     BOOST_TEST((with("\"centre\"", "\"surface\"").plates.touches == PlateContact::surface));
     BOOST_TEST((with("half-step", "predicted").integrator == Integrator::verlet_predicted));
+    const std::string key = "integrator = \"verlet-half-step\"";
+    for (const auto integrator :
+         {Integrator::leapfrog_crank_nicolson, Integrator::semi_implicit_euler,
+          Integrator::explicit_euler, Integrator::runge_kutta_4, Integrator::taguchi_euler,
+          Integrator::taguchi_adaptive_euler}) {
+        const std::string word = to_string(integrator);
+        BOOST_TEST((with(key, "integrator = \"" + word + '"').integrator == integrator), word);
+    }
+    BOOST_TEST((with(key, key + "\ncontacts = \"lattice-neighbours\"").contacts ==
+                Contacts::lattice_neighbours));
+    BOOST_TEST((with(key, key + "\nprecision = \"mixed\"").precision == Precision::mixed));
+}
+
+BOOST_AUTO_TEST_CASE(contacts_and_precision_are_the_usual_ones_if_nothing_is_said) {
+    const auto s = tests::read_scene(scene_text);
+    BOOST_TEST((s.contacts == Contacts::neighbour_list));
+    BOOST_TEST((s.precision == Precision::double_precision));
+    BOOST_TEST(s.plates.bottom->phase == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_plate_may_start_at_any_phase) {
+    const auto s = with("period = 2.0", "period = 2.0, phase = 0.25");
+    BOOST_TEST(s.plates.bottom->phase == 0.25);
+    // A quarter period later than cos: at its mean height, moving down.
+    BOOST_TEST(std::abs(height_at(*s.plates.bottom, 0)) < 1e-15);
+    BOOST_TEST(height_at(*s.plates.bottom, 0.5) == -0.5, tt::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(gamma_gives_the_amplitude_of_the_bottom) {
+    // b = gamma g/omega^2, omega = pi.
+    const auto s = tests::read_scene(replaced(replaced(scene_text, "amplitude = 0.5, ", ""),
+                                              "gravity = 1.0", "gravity = 1.0\ngamma = 2.5"));
+    BOOST_TEST(s.plates.bottom->amplitude == 2.5 / (3.14159265358979 * 3.14159265358979),
+               tt::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(gamma_needs_an_amplitude_to_give) {
+    const std::string with_gamma =
+        replaced(scene_text, "gravity = 1.0", "gravity = 1.0\ngamma = 2");
+    BOOST_CHECK_THROW((void)tests::read_scene(with_gamma), CaseError);
+    const std::string still = replaced(scene_text, "amplitude = 0.5, period = 2.0 ", "");
+    BOOST_CHECK_THROW(
+        (void)tests::read_scene(replaced(replaced(still, "height = 0.0, ", "height = 0.0 "),
+                                         "gravity = 1.0", "gravity = 1.0\ngamma = 2")),
+        CaseError);
+}
+
+BOOST_AUTO_TEST_CASE(frames_at_every_so_many_steps) {
+    const auto s = with("every_time = 0.1", "every_steps = 7");
+    BOOST_TEST(s.frame_every == 7);
+    BOOST_TEST(s.steps == 2002);  // the last frame is the end of the run
 }
 
 BOOST_AUTO_TEST_CASE(words_are_written_as_they_are_read) {

@@ -71,6 +71,10 @@ const std::vector<Mutation> mutations{
     {"period along y", [](Scene& s) { s.periodic_y = next(*s.periodic_y); }},
     {"open along y", [](Scene& s) { s.periodic_y.reset(); }},
     {"integrator", [](Scene& s) { s.integrator = scene::Integrator::verlet_predicted; }},
+    {"another integrator", [](Scene& s) { s.integrator = scene::Integrator::taguchi_euler; }},
+    {"contacts", [](Scene& s) { s.contacts = scene::Contacts::lattice_neighbours; }},
+    {"precision", [](Scene& s) { s.precision = scene::Precision::mixed; }},
+    {"bottom phase", [](Scene& s) { s.plates.bottom->phase = 0.25; }},
     {"dt", [](Scene& s) { s.dt = next(s.dt); }},
     {"steps", [](Scene& s) { s.steps += s.frame_every; }},
     {"frame_every", [](Scene& s) { s.frame_every /= 2; }},
@@ -95,6 +99,12 @@ BOOST_AUTO_TEST_CASE(every_field_changes_the_text_and_each_in_its_own_way) {
             BOOST_TEST(texts.insert(text_of(changed)).second);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(usual_choices_are_not_written_so_that_older_scenes_keep_their_text) {
+    const std::string text = text_of(full_scene());
+    for (const char* key : {"contacts", "precision", "phase"})
+        BOOST_TEST(text.find(std::string("\"") + key + '"') == std::string::npos, key);
 }
 
 BOOST_AUTO_TEST_CASE(the_same_scene_gives_the_same_text) {

@@ -125,12 +125,12 @@ BOOST_AUTO_TEST_CASE(no_contact_is_missed_in_front_of_a_bullet) {
 BOOST_AUTO_TEST_CASE(a_list_is_kept_until_a_grain_has_moved_by_half_the_skin) {
     dem::NeighbourList list(2.0, 1.0, {}, {});
     const std::vector<double> y{0, 0};
-    list.update({0, 3.5}, y);
+    list.update(std::vector{0.0, 3.5}, y);
     BOOST_TEST(list.builds() == 1);
     BOOST_TEST(list.pairs().empty());
-    list.update({0.5, 3.5}, y);  // exactly half the skin: the pair is still out of reach
+    list.update(std::vector{0.5, 3.5}, y);  // exactly half the skin: the pair is still out of reach
     BOOST_TEST(list.builds() == 1);
-    list.update({0.5625, 3.5}, y);
+    list.update(std::vector{0.5625, 3.5}, y);
     BOOST_TEST(list.builds() == 2);
     BOOST_TEST(list.pairs().size() == 1u);
 }

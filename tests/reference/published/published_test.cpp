@@ -50,6 +50,20 @@ CaseErrorDetails refusal_with(const std::string& what, const std::string& by) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(a_trend_stands_in_place_of_a_value) {
+    const tests::TemporaryDirectory directory;
+    write(directory.path() / "author-1995.toml",
+          replaced(good, "value = -1.5\nerror = 0.1\n", "trend = \"increasing\"\n"));
+    const PublishedValues values(directory.path());
+    BOOST_TEST(values.find("author-1995/slope").value().trend == "increasing");
+    BOOST_TEST(values.find("author-1995/other").value().trend.empty());
+    BOOST_TEST(refusal_with("value = -1.5\nerror = 0.1\n", "trend = \"wavy\"\n").key ==
+               "value.slope.trend");
+    // Either a number or a trend.
+    BOOST_TEST(refusal_with("error = 0.1\n", "error = 0.1\ntrend = \"constant\"\n").key ==
+               "value.slope.value");
+}
+
 BOOST_AUTO_TEST_CASE(the_shipped_files_load_and_say_all_about_each_value) {
     const PublishedValues values(CROSSGRAIN_SOURCE_DIR "/reference/published");
     BOOST_TEST(values.size() >= 2u);

@@ -160,3 +160,19 @@ BOOST_AUTO_TEST_CASE(a_value_that_is_no_number_is_stored_or_refused_by_its_name)
                    line);
     }
 }
+
+BOOST_AUTO_TEST_CASE(a_picture_whose_parts_do_not_fit_is_refused_by_name) {
+    const TemporaryDirectory directory;
+    Store results(directory.path());
+    const auto refusal = [&](auto spoil) {
+        auto run = stored_run();
+        spoil(run.results.pictures[0]);
+        const std::string line = failure([&] { results.add(run); });
+        BOOST_TEST(line.find("space-time") != std::string::npos, line);
+    };
+    refusal([](measure::Picture& picture) { picture.width = 4; });
+    refusal([](measure::Picture& picture) { picture.pixels.clear(); });
+    refusal([](measure::Picture& picture) { picture.palette.resize(255); });
+    refusal([](measure::Picture& picture) { picture.palette.resize(257); });
+    BOOST_TEST(!results.find("key").has_value());
+}

@@ -3,6 +3,8 @@
 
 #include "reports/store/store.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -24,6 +26,13 @@ inline const std::vector<double> awkward_numbers{0.0,
                                                  9007199254740993.0,
                                                  65504.0,
                                                  0.5};
+
+inline std::vector<std::array<std::uint8_t, 3>> all_greys() {
+    std::vector<std::array<std::uint8_t, 3>> palette(256);
+    for (std::size_t i = 0; i < palette.size(); ++i)
+        palette[i].fill(static_cast<std::uint8_t>(255 - i));
+    return palette;
+}
 
 inline store::RunRecord stored_run(const std::string& key = "key", double value = 1.0 / 3) {
     store::RunRecord run;
@@ -55,6 +64,14 @@ inline store::RunRecord stored_run(const std::string& key = "key", double value 
     run.results.series[0].units = {"t", "l"};
     run.results.snapshots = {{.time = 0.1, .x = awkward_numbers, .y = awkward_numbers},
                              {.time = 1e300, .x = {}, .y = {}}};
+    run.results.pictures = {{.name = "space-time",
+                             .title = "density n(x, t), \"t\" downward",
+                             .width = 3,
+                             .height = 2,
+                             .pixels = {0, 1, 2, 2, 0, 255},
+                             .palette = all_greys()}};
+    run.results.findings = {{.name = "state", .label = "ageing", .detail = "drifts by 3 sigma"},
+                            {.name = "wave", .label = "", .detail = ""}};
     return run;
 }
 
@@ -73,12 +90,24 @@ inline bool same_bits(const measure::Measurement& a, const measure::Measurement&
            a.n == b.n && a.unit == b.unit && a.settings == b.settings;
 }
 
+inline bool same(const measure::Picture& a, const measure::Picture& b) {
+    return a.name == b.name && a.title == b.title && a.width == b.width && a.height == b.height &&
+           a.pixels == b.pixels && a.palette == b.palette;
+}
+
+inline bool same(const measure::Finding& a, const measure::Finding& b) {
+    return a.name == b.name && a.label == b.label && a.detail == b.detail;
+}
+
 inline bool same_bits(const measure::Results& a, const measure::Results& b) {
     if (a.measurements.size() != b.measurements.size() || a.series.size() != b.series.size() ||
         a.snapshots.size() != b.snapshots.size()) {
         return false;
     }
-    bool same = true;
+    bool same = std::ranges::equal(a.pictures, b.pictures,
+                                   [](auto& p, auto& q) { return tests::same(p, q); }) &&
+                std::ranges::equal(a.findings, b.findings,
+                                   [](auto& p, auto& q) { return tests::same(p, q); });
     for (std::size_t i = 0; i < a.measurements.size(); ++i) {
         same = same && same_bits(a.measurements[i], b.measurements[i]);
     }

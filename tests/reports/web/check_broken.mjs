@@ -15,6 +15,18 @@ export async function brokenChecks(check, open, document) {
     assert.equal(await page.locator('#matrix [data-expected="false"]').count(), count);
     assert.deepEqual(await greenElements(page), []);
   });
+  await check("broken findings, pictures and series leave a sentence", async () => {
+    for (const part of await page.locator(".case-part").all()) {
+      await part.locator("> summary").click();
+      await part.locator('[data-plot="series"], .state-map').first().waitFor();
+    }
+    await plots(page);
+    assert.match(
+      await page.locator("#cases").innerText(),
+      /could not be written[\s\S]*There is no finite number/,
+    );
+    assert.equal(await page.locator("#cases .js-plotly-plot").count(), 0);
+  });
   await check("no console message (broken)", () => assertQuiet(page));
   await check("a history without finite values says so", async () => {
     const history = await open("history.html");

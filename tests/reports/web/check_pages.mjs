@@ -10,6 +10,8 @@ import { browserPath, withBrowser } from "../../../reports/web/browser.mjs";
 import { absentChecks } from "./check_absent.mjs";
 import { brokenChecks } from "./check_broken.mjs";
 import { historyChecks } from "./check_history.mjs";
+import { manyChecks } from "./check_many.mjs";
+import { modelChecks } from "./check_models.mjs";
 import { reportChecks } from "./check_report.mjs";
 
 const [writeReport, assets, work] = process.argv.slice(2);
@@ -65,12 +67,16 @@ rmSync(work, { recursive: true, force: true });
 mkdirSync(work, { recursive: true });
 const rich = makeReport("rich");
 const absent = makeReport("absent");
+const models = makeReport("models");
+const many = makeReport("many");
 const broken = makeReport("broken");
 await withBrowser({ viewport: { width: 1400, height: 900 } }, async (context) => {
   const opener = (report) => (name, viewport) => open(context, report, name, viewport);
   await reportChecks(check, opener(rich), rich.document);
   await historyChecks(check, opener(rich), rich.document);
   await absentChecks(check, opener(absent), absent.document);
+  await modelChecks(check, opener(models), models);
+  await manyChecks(check, opener(many), many);
   await brokenChecks(check, opener(broken), broken.document);
 });
 process.exit(failures > 0 ? 1 : 0);

@@ -2,12 +2,15 @@
 // every number is known and the same on every machine.
 //   node make_document.mjs rich OUT.json     every kind of verdict, series and history
 //   node make_document.mjs absent OUT.json   nothing is installed, nothing ran
+//   node make_document.mjs models OUT.json   readings, sweeps, findings, pictures, other series
+//   node make_document.mjs many OUT.json     40 cases of 24 variants
 //   node make_document.mjs broken OUT.json   nothing is finite, outcomes no page has heard of
 import { writeFileSync } from "node:fs";
 import { allCases } from "./make_cases.mjs";
 import { certificate } from "./make_certificate.mjs";
 import { absentRun, codes, versions } from "./make_entries.mjs";
 import { historySeries } from "./make_history.mjs";
+import { manyCases, modelCases } from "./make_models.mjs";
 
 function codeEntry(code) {
   const all = ["full damping", "normal damping", "clipping", "spins", "lids"];
@@ -52,6 +55,7 @@ function absent() {
 function broken() {
   const report = rich();
   const nothing = (values) => values.map((column) => column.map(() => null));
+  report.cases.push(...modelCases());
   for (const item of report.cases) {
     for (const series of item.series) series.values = nothing(series.values);
     item.verdicts = item.verdicts.map(({ expected, ...entry }) => ({
@@ -60,6 +64,8 @@ function broken() {
       verdict: "agreeable",
     }));
     for (const run of item.runs) Object.assign(run, { cpu_s: null, settings: null });
+    for (const picture of item.pictures || []) Object.assign(picture, { palette: null });
+    for (const finding of item.findings || []) Object.assign(finding, { label: null, detail: null });
   }
   for (const pair of report.certificate.pairs)
     Object.assign(pair, {
@@ -74,5 +80,9 @@ function broken() {
   return report;
 }
 
+const withCases = (cases) => ({ ...rich(), cases, certificate: { pairs: [] }, history: { series: [] } });
+const models = () => withCases(modelCases());
+const many = () => withCases(manyCases(40, ["P", "D", "M", "std"], 6));
+
 const [kind, out] = process.argv.slice(2);
-writeFileSync(out, JSON.stringify({ rich, absent, broken }[kind]()));
+writeFileSync(out, JSON.stringify({ rich, absent, models, many, broken }[kind]()));

@@ -1,0 +1,17 @@
+#include "app/bench.hpp"
+
+namespace crossgrain::app {
+
+const std::vector<Bench>& benches() {
+    static const std::vector<Bench> all{
+        {"lga", "lattice gas: site updates per second by word width, against the table engine",
+         bench_lga},
+        {"hopper", "hopper automaton: grain moves per second, against the plain version",
+         bench_hopper},
+        {"dem", "distinct elements: particle-steps per second, against LAMMPS, LIGGGHTS and YADE",
+         bench_dem},
+    };
+    return all;
+}
+
+}  // namespace crossgrain::app

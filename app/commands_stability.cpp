@@ -1,0 +1,138 @@
+// crossgrain stability: where methods stop working. For distinct elements thresholds by bisection;
+// for the lattice models the states their runs were found in, over the sweep of a case.
+#include "app/commands.hpp"
+#include "app/session.hpp"
+#include "app/stability.hpp"
+#include "app/stability_dem.hpp"
+#include "app/text_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace crossgrain::app {
+namespace {
+
+using nlohmann::json;
+
+bool holds_theory(const StabilityThreshold& threshold) {
+    return !threshold.theory ||
+           std::abs(threshold.measured() / *threshold.theory - 1) <= threshold.tolerance;
+}
+
+/// The state a run was found in, or why there is none.
+StabilityPoint point_of(const catalog::Variant& variant, const store::RunRecord& run) {
+    StabilityPoint point{.code = run.code, .state = run.status, .detail = run.reason};
+    for (const auto& [key, value] : variant.parameters) {
+        try {
+            point.at[key] = std::stod(value);
+        } catch (const std::invalid_argument&) {
+            point.in[key] = value;
+        }
+    }
+    if (variant.parameters.empty()) point.in["variant"] = variant.name;
+    for (const auto& finding : run.results.findings) {
+        if (finding.name != "state") continue;
+        point.state = finding.label;
+        point.detail = finding.detail;
+    }
+    return point;
+}
+
+StabilityReport states_of(const CaseReport& item) {
+    StabilityReport report{.case_name = item.the_case->name};
+    for (const auto& variant : item.the_case->variants) {
+        for (const auto& run : item.runs.records()) {
+            if (run.variant == variant.name && run.replica == 0) {
+                report.points.push_back(point_of(variant, run));
+            }
+        }
+    }
+    return report;
+}
+
+json report_json(const StabilityReport& report) {
+    json thresholds = json::array();
+    for (const auto& t : report.thresholds) {
+        json entry{{"code", t.code},   {"method", t.method}, {"parameter", t.parameter},
+                   {"works", t.works}, {"fails", t.fails},   {"measured", t.measured()}};
+        if (t.theory) {
+            entry["theory"] = *t.theory;
+            entry["theory_source"] = t.theory_source;
+            entry["tolerance"] = t.tolerance;
+            entry["agrees"] = holds_theory(t);
+        }
+        thresholds.push_back(std::move(entry));
+    }
+    json points = json::array();
+    for (const auto& p : report.points) {
+        points.push_back({{"code", p.code},
+                          {"at", p.at},
+                          {"in", p.in},
+                          {"state", p.state},
+                          {"detail", p.detail}});
+    }
+    return {{"case", report.case_name},
+            {"thresholds", std::move(thresholds)},
+            {"points", std::move(points)}};
+}
+
+void print_report(const StabilityReport& report) {
+    fmt::print("{}\n", report.case_name);
+    TextTable thresholds({"code", "method", "parameter", "works", "fails", "theory", ""});
+    for (const auto& t : report.thresholds) {
+        thresholds.add({t.code, t.method, t.parameter, fmt::format("{:.5g}", t.works),
+                        fmt::format("{:.5g}", t.fails),
+                        t.theory ? fmt::format("{:.5g}", *t.theory) : "-",
+                        !t.theory         ? ""
+                        : holds_theory(t) ? "agrees"
+                                          : "disagrees"});
+    }
+    if (!thresholds.empty()) fmt::print("{}", thresholds.text());
+    TextTable points({"code", "at", "state", "detail"});
+    for (const auto& p : report.points) {
+        std::vector<std::string> at;
+        for (const auto& [key, value] : p.in)
+            at.push_back(value);
+        for (const auto& [key, value] : p.at)
+            at.push_back(fmt::format("{}={:g}", key, value));
+        points.add({p.code, fmt::format("{}", fmt::join(at, " ")), p.state, p.detail});
+    }
+    if (!points.empty()) fmt::print("{}", points.text());
+}
+
+}  // namespace
+
+int map_stability(const Settings& settings, std::stop_token stop) {
+    std::vector<StabilityReport> reports;
+    int code = exit_ok;
+    for (const auto& the_case : selected_cases(settings)) {
+        if (the_case->model == "grains") {
+            reports.push_back(stability_dem(*the_case, settings, stop));
+            for (const auto& threshold : reports.back().thresholds) {
+                if (!holds_theory(threshold)) code = exit_verdict;
+            }
+            continue;
+        }
+        Settings one = settings;
+        one.cases = {the_case->file};
+        store::Store store(settings.results);
+        const auto session = run_session(one, store, stop, true);
+        for (const auto& item : session.cases)
+            reports.push_back(states_of(item));
+    }
+    if (settings.json) {
+        json all = json::array();
+        for (const auto& report : reports)
+            all.push_back(report_json(report));
+        fmt::print("{}\n", json{{"stability", std::move(all)}}.dump(2));
+    } else {
+        for (const auto& report : reports)
+            print_report(report);
+    }
+    return stop.stop_requested() ? exit_interrupted : code;
+}
+
+}  // namespace crossgrain::app

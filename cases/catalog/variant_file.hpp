@@ -1,0 +1,22 @@
+// The variants of a case: its written [[variant]] tables, crossed with its [sweep].
+#pragma once
+
+#include "cases/catalog/case.hpp"
+#include "cases/catalog/sweep_file.hpp"
+#include "cases/toml/toml_table.hpp"
+
+#include <vector>
+
+namespace crossgrain::catalog {
+
+/// The [[variant]] tables; one without a name if there are none. Throws CaseError.
+[[nodiscard]] std::vector<Variant> read_written_variants(const toml_input::TomlTable& t);
+
+/// Every point of the sweep in every written variant, the sweep changing slower.
+[[nodiscard]] std::vector<Variant> cross(const Sweep& sweep, const std::vector<Variant>& written);
+
+/// A check that names a variant which is not there would never be asked: throws CaseError. (The
+/// quick suite may do without some of the variants that the case has.)
+void check_variant_names(const Case& the_case);
+
+}  // namespace crossgrain::catalog

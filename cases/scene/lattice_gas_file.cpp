@@ -1,0 +1,96 @@
+#include "cases/scene/gas_reading_file.hpp"
+#include "cases/scene/gas_sampling_file.hpp"
+#include "cases/scene/model_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace crossgrain::scene {
+namespace {
+
+using toml_input::Range;
+using toml_input::TomlTable;
+
+const std::array<std::string, 2> end_words{"periodic", "open"};
+const std::array<std::string, 2> saturation_words{"fail", "record"};
+const std::array<std::string, 2> engine_words{"bit-sliced", "table"};
+
+std::vector<std::string> shipped_readings(const std::filesystem::path& directory) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+/// The file of a reading: a path relative to the case file, or a name of the shipped ones.
+std::string reading_file(const TomlTable& t, const std::string& readings) {
+    namespace fs = std::filesystem;
+    const std::string given = t.text("reading");
+    fs::path path;
+    if (given.find('/') != std::string::npos || given.ends_with(".toml")) {
+        path = fs::path(t.file()).parent_path() / given;
+        if (fs::is_regular_file(path)) return path.string();
+        throw t.error("reading", "cannot be read", fmt::format("\"{}\"", given),
+                      "a TOML file, by its path from the case file");
+    }
+    path = fs::path(readings) / (given + ".toml");
+    if (fs::is_regular_file(path)) return path.string();
+    const auto names = shipped_readings(readings);
+    const auto near = toml_input::nearest(given, names);
+    throw t.error(
+        "reading", "is not known", fmt::format("\"{}\"", given),
+        fmt::format("one of \"{}\", or the path of a TOML file", fmt::join(names, "\", \"")),
+        near ? fmt::format("did you mean \"{}\"?", *near) : "");
+}
+
+Range fraction() {
+    return {.low = 0, .high = 1, .low_open = false, .text = "a number in [0, 1]"};
+}
+
+void refuse_without(const TomlTable& t, const char* key, const char* of, const char* ends) {
+    if (!t.has(key)) return;
+    throw t.error(key, "contradicts", fmt::format("ends = \"{}\" as well", ends),
+                  fmt::format("'{}' with {} pipes only", key, of), "remove one");
+}
+
+/// A periodic pipe is filled, an open one starts empty and is fed.
+void read_filling(const TomlTable& t, LatticeGas& gas) {
+    if (gas.ends == PipeEnds::periodic) {
+        gas.density = t.number("density", Range::left_open(0, 7));
+        refuse_without(t, "injection", "open", "periodic");
+    } else {
+        gas.injection = t.number("injection", fraction());
+        refuse_without(t, "density", "periodic", "open");
+    }
+}
+
+}  // namespace
+
+LatticeGas read_lattice_gas(const TomlTable& t, const SceneSelection& selection) {
+    LatticeGas gas;
+    gas.name = selection.name;
+    gas.seed = selection.seed;
+    gas.reading = load_gas_reading(reading_file(t, selection.readings));
+    gas.sampling = read_gas_sampling(t);
+    gas.ends = static_cast<PipeEnds>(t.choice("ends", end_words));
+    gas.sampling.periodic = gas.ends == PipeEnds::periodic;
+    read_filling(t, gas);
+    gas.dissipation = t.number("dissipation", fraction());
+    gas.gravity = t.number("gravity", fraction());
+    gas.roughness = t.number("roughness", fraction());
+    if (t.has("engine")) gas.engine = static_cast<GasEngine>(t.choice("engine", engine_words));
+    if (t.has("on_saturation")) {
+        gas.on_saturation = static_cast<OnSaturation>(t.choice("on_saturation", saturation_words));
+    }
+    t.reject_unknown_keys();
+    return gas;
+}
+
+}  // namespace crossgrain::scene

@@ -1,0 +1,77 @@
+// Largest stable time step of the integration schemes: for one mode, for the triangular lattice,
+// and for any packing of discs.
+//
+// One normal mode, x'' = -w^2 x - c x', with W = w^2 dt^2 and C = c dt. Each scheme multiplies its
+// state by a matrix; the powers stay bounded while the roots z of its characteristic polynomial lie
+// in the unit disc (Jury's conditions; Jury, J. Franklin Inst. 274, 304 (1962)).
+//   half-step Verlet, semi-implicit Euler (the same map, seen half a step apart)
+//     z^2 - (2 - C - W) z + (1 - C)               z = -1 first:  W + 2 C = 4
+//   predicted Verlet: v* = v_n + a_n dt in the dashpot, so that with x = dt^2 z/(z - 1)^2 a and
+//     v = dt (z + 1)/(2 (z - 1)) a  the equation for a gives
+//     z^3 + (W + 3 C/2 - 2) z^2 + (1 - 2 C) z + C/2
+//     z = -1 first:  W + 4 C = 4; the pair of complex roots needs 2 - C - C W/2 - C^2 > 0, which
+//     below that limit is at least (1 - C)(2 - C) and C < 1
+//   leap-frog with Crank-Nicolson damping
+//     (1 + C/2) z^2 - (2 - W) z + (1 - C/2)       z = -1:  W = 4, whatever the damping
+//   explicit Euler
+//     z^2 - (2 - C) z + (1 - C + W)               W = C (complex), W - 2 C + 4 = 0 (z = -1)
+//   Taguchi's Euler (chao-dyn/9405003, Eqs. 7 and 8)
+//     z^2 - (2 - W/2 - C) z + (1 - C + W/2)       W = 2 C (complex), C = 2 (z = -1)
+//   classical Runge-Kutta: |R(l dt)| = 1 for a root l of l^2 + c l + w^2, R the polynomial of
+//     degree four of exp; undamped: w dt = 2 sqrt 2.
+//
+// A packing at equilibrium has x'' = -D x - C x' with matrices instead. Where the first root to
+// leave is z = -1 (the Verlet family), the condition is that the largest eigenvalue of
+// dt^2 D + g dt C reaches 4, with g = 2 (half-step), 4 (predicted) or 0 (Crank-Nicolson): the
+// matrices need not commute, so that it holds with plates, which have springs but no dashpots.
+#pragma once
+
+#include "reference/analytic/oblique_collision.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace crossgrain::analytic {
+
+enum class TimeScheme {
+    half_step_verlet,
+    predicted_verlet,
+    crank_nicolson_leapfrog,
+    semi_implicit_euler,
+    explicit_euler,
+    taguchi_euler,
+    runge_kutta_4
+};
+
+/// Largest dt (t) for a mode of angular frequency `frequency` > 0 (1/t), damped at the rate
+/// `damping_rate` >= 0 (1/t); 0 for a scheme that never is stable. Throws std::domain_error for
+/// arguments out of range.
+[[nodiscard]] double mode_time_step_limit(TimeScheme scheme, double frequency, double damping_rate);
+
+/// Largest dt (t) in the triangular lattice with all contacts closed (stability_limit.hpp): the
+/// least over its modes, on a grid of wave vectors that holds the middle and the corner of the
+/// zone's edge; at most 1e-4 too large between its points. Throws std::domain_error for arguments
+/// out of range.
+[[nodiscard]] double lattice_time_step_limit(TimeScheme scheme, double stiffness, double damping,
+                                             double mass, Damping damping_acts_on);
+
+/// Discs at rest, near equilibrium. Forces within the overlaps (their turning with the bond) are
+/// neglected: a relative error of the order of overlap/diameter.
+struct ClosedPacking {
+    std::vector<double> x, y;                  ///< shape (grains)
+    std::optional<double> period_x, period_y;  ///< open where absent
+    double diameter = 0, mass = 0, stiffness = 0, damping = 0;
+    Damping damping_acts_on = Damping::full_vector;
+    double plate_stiffness = 0;         ///< elastic plates that touch centres
+    std::optional<double> bottom, lid;  ///< heights
+};
+
+/// Largest angular frequency (1/t) of the contacts there are, by power iteration.
+[[nodiscard]] double largest_packing_frequency(const ClosedPacking& packing);
+
+/// Largest dt (t), by power iteration; nothing for a scheme outside of the Verlet family, or for a
+/// packing without contacts.
+[[nodiscard]] std::optional<double> packing_time_step_limit(TimeScheme scheme,
+                                                            const ClosedPacking& packing);
+
+}  // namespace crossgrain::analytic
