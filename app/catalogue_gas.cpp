@@ -183,7 +183,7 @@ const std::vector<GasObservable>& gas_observables() {
         {"gas-picture", "density in space and time, in grey", {"replica", "rows"}, make_picture},
         {"gas-profile",
          "profile_amplitude, profile_null_amplitude, profile_excess, profile_width, "
-         "profile_width_over_length, profile_steepness, profile_front_sharper; density around the "
+         "profile_width_over_length, profile_asymmetry, profile_front_sharper; density around the "
          "peak",
          {"fields", "groups"},
          make_profile},

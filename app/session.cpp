@@ -24,6 +24,12 @@ void record(const SessionReport& report, const Settings& settings, store::Store&
     }
 }
 
+void warn(const scene::AnyScene& scene, const Settings& settings) {
+    if (settings.quiet) return;
+    for (const auto& line : scene::warnings_of(scene))
+        fmt::print(stderr, "warning: {}\n", line);
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings) {
@@ -57,6 +63,7 @@ SessionReport run_session(const Settings& settings, store::Store& store, std::st
     std::vector<const catalog::Case*> owners;
     for (const auto& the_case : cases) {
         for (auto& run : plan(*the_case, codes, settings)) {
+            if (compute && run.replica == 0) warn(*run.scene, settings);
             owners.push_back(the_case.get());
             runs.push_back(std::move(run));
         }

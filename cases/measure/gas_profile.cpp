@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -202,7 +203,7 @@ void GasProfile::finish(Results& results) {
         if (!shape) continue;
         widths.push_back(shape->width * sampling_.bin);
         scaled.push_back(widths.back() / sampling_.length);
-        steepness.push_back(shape->steepness);
+        steepness.push_back(std::log(shape->steepness));
         if (shape->steepness > 1) ++sharper;
     }
     auto& out = results.measurements;
@@ -212,7 +213,7 @@ void GasProfile::finish(Results& results) {
     if (widths.size() < waves.size()) return;
     out.push_back(over_replicas("profile_width", widths, "sites"));
     out.push_back(over_replicas("profile_width_over_length", scaled, "1"));
-    out.push_back(over_replicas("profile_steepness", steepness, "1"));
+    out.push_back(over_replicas("profile_asymmetry", steepness, "1"));
     out.push_back(fraction("profile_front_sharper", sharper, waves.size()));
 }
 

@@ -24,7 +24,7 @@ namespace crossgrain::measure {
 struct GasProfileOptions {
     std::int64_t fields = 2048;  ///< frames used, from the first on: a power of two, >= 2
     std::int64_t groups = 16;    ///< of replicas, a power of two, >= 2; replicas beyond a power of
-                               ///< two per group are left out
+                                 ///< two per group are left out
 };
 
 /// Wave shape of a profile, shape (bins).
@@ -44,7 +44,8 @@ struct WaveShape {
 /// - `profile_null_amplitude`: the same of the shuffled fields;
 /// - `profile_excess`: amplitude minus null amplitude;
 /// - `profile_width`: full width at half maximum, sites; `profile_width_over_length`;
-/// - `profile_steepness`: slope of the front over slope of the back (1: symmetric);
+/// - `profile_asymmetry`: logarithm of the slope of the front over that of the back; 0 if symmetric
+///   (the ratio itself, with noise, has a mean above 1);
 /// - `profile_front_sharper`: share of the groups whose front is steeper than their back.
 /// Nothing if the run ended before the last field.
 class GasProfile final : public GasEstimator {

@@ -32,6 +32,9 @@ class Neighbourhoods {
             y_.push_back(std::log(power[k]));
             x_.push_back(std::log(static_cast<double>(std::max<std::size_t>(k, 1))));
         }
+        smooth_ = y_;
+        for (std::size_t k = 1; k + 1 < power.size(); ++k)
+            smooth_[k] = std::log((power[k - 1] + 2 * power[k] + power[k + 1]) / 4);
     }
 
     [[nodiscard]] Background around(std::size_t k) {
@@ -54,9 +57,10 @@ class Neighbourhoods {
         Background b;
         b.level = std::max(half(k - k / 2, k - k / 4), half(k + k / 4 + 1, k + k / 2 + 1));
         values_.clear();
-        for (std::size_t j = k - reach(k); j <= k + reach(k); ++j)
-            values_.push_back(std::abs(y_[j - 1] - 2 * y_[j] + y_[j + 1]));
-        b.scatter = 1.4826 * median(values_) / std::sqrt(6.0);
+        for (std::size_t j = std::max<std::size_t>(k - reach(k), 2); j <= k + reach(k); ++j)
+            values_.push_back(std::abs(smooth_[j - 1] - 2 * smooth_[j] + smooth_[j + 1]));
+        // (1, 2, 1)/4 after (1, -2, 1): (1, 0, -2, 0, 1)/4, variance 6/16 of that of log P.
+        b.scatter = 1.4826 * median(values_) / std::sqrt(6.0 / 16);
         return b;
     }
 
@@ -70,6 +74,7 @@ class Neighbourhoods {
     }
 
     std::vector<double> x_, y_, values_;
+    std::vector<double> smooth_;  ///< log of P averaged over neighbours
 };
 
 /// Centre of the connected stretch around `top` in which the excess over the background is above a

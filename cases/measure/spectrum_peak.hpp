@@ -9,8 +9,9 @@
 // A broad peak, or one with the skirts of the window, fills its own neighbourhood and has sigma of
 // its size. If nothing was significant, a peak is looked for that stands above what lies farther
 // off: the expectation is the larger of the medians over (k/2, 3k/4) and (5k/4, 3k/2), sigma the
-// scatter of second differences of log P in the neighbourhood (1.4826 times the median of their
-// size over sqrt(6)), which no smooth shape has. It must be at least 7 sigma and log 3.
+// scatter of second differences of log P (from 1.4826 times the median of their size), which no
+// smooth shape has; for it P is averaged with weights 1, 2, 1, because the skirts of Bartlett's
+// window are zero at every second frequency. It must be at least 7 sigma and log 3.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,10 @@
 #include "cases/scene/model_json.hpp"
 #include "cases/scene/scene_json.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace crossgrain::scene {
 namespace {
@@ -62,6 +65,18 @@ double time_step_of(const AnyScene& scene) {
 
 Work work_of(const AnyScene& scene) {
     return std::visit([](const auto& s) { return work(s); }, scene);
+}
+
+std::vector<std::string> warnings_of(const AnyScene& scene) {
+    const auto* hopper = std::get_if<HopperAutomaton>(&scene);
+    if (hopper == nullptr || hopper->angles.empty()) return {};
+    constexpr double steepest = 120;  // degrees; the lattice's own walls
+    const double widest = *std::max_element(hopper->angles.begin(), hopper->angles.end());
+    if (widest <= steepest) return {};
+    return {fmt::format(
+        "{}: theta = {:g} degrees: beyond 120 grains stay behind for good, P(theta) has "
+        "no meaning and is not given",
+        hopper->name, widest)};
 }
 
 nlohmann::json identity_json(const AnyScene& scene) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace crossgrain::scene {
 
@@ -54,6 +55,9 @@ struct Work {
     std::string unit;
 };
 [[nodiscard]] Work work_of(const AnyScene& scene);
+/// What a user should know before the run: one line each, e.g. an angle beyond which a number loses
+/// its meaning.
+[[nodiscard]] std::vector<std::string> warnings_of(const AnyScene& scene);
 /// Everything that decides the run's numbers, name excluded.
 [[nodiscard]] nlohmann::json identity_json(const AnyScene& scene);
 /// The few numbers and names that a reader of a report wants.

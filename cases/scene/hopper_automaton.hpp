@@ -35,14 +35,14 @@ struct HopperReading {
 struct HopperAutomaton {
     std::string name;  ///< case and variant
     HopperReading reading;
-    int outlet = 0;               ///< N, sites of the outlet, >= 2
-    int levels = 0;               ///< L, half-levels, >= 1
-    std::vector<double> angles;   ///< full opening angles theta (degrees), in (0, 180)
+    int outlet = 0;              ///< N, sites of the outlet, >= 2
+    int levels = 0;              ///< L, half-levels, >= 1
+    std::vector<double> angles;  ///< full opening angles theta (degrees), in (0, 180)
     double c_d = 0, c_o = 0, c_i = 0, c_w = 0;  ///< C_D, C_O, C_I, C_W, >= 0
-    std::int64_t iterations = 0;  ///< > 0
-    std::int64_t every = 1;       ///< frames at iterations 0, every, ..., and at the last
-    int replicas = 1;             ///< per angle, each with its own random numbers, >= 1
-    int flipped = 0;              ///< damage spreading: nodes flipped in a twin of each replica
+    std::int64_t iterations = 0;                ///< > 0
+    std::int64_t every = 1;  ///< frames at iterations 0, every, ..., and at the last
+    int replicas = 1;        ///< per angle, each with its own random numbers, >= 1
+    int flipped = 0;         ///< damage spreading: nodes flipped in a twin of each replica
     HopperRandom random = HopperRandom::per_site;
     HopperEngine engine = HopperEngine::fast;
     std::uint64_t seed = 0;

@@ -12,9 +12,9 @@ namespace crossgrain::scene {
 
 /// What distinguishes one run's scene from its siblings of the same table.
 struct SceneSelection {
-    std::string name;        ///< becomes Scene::name
-    std::size_t rung = 0;    ///< which of the listed time steps
-    std::uint64_t seed = 1;  ///< of the initial state
+    std::string name;           ///< becomes Scene::name
+    std::size_t rung = 0;       ///< which of the listed time steps
+    std::uint64_t seed = 1;     ///< of the initial state
     std::string readings = {};  ///< directory of the shipped readings of the models' rules
 };
 

@@ -14,12 +14,12 @@ namespace crossgrain::scene {
 struct SyntheticSignal {
     std::string name;  ///< case and variant
     GasSampling sampling;
-    double mean = 0;              ///< particles per bin, > 0, large enough to keep counts positive
-    double noise = 0;             ///< standard deviation of the noise, > 0
-    double exponent = 0;          ///< alpha, in [0, 2]
-    double wave_amplitude = 0;    ///< particles per bin, >= 0
-    double wave_velocity = 0;     ///< sites per step along gravity
-    int wave_number = 1;          ///< waves per pipe length, >= 1
+    double mean = 0;            ///< particles per bin, > 0, large enough to keep counts positive
+    double noise = 0;           ///< standard deviation of the noise, > 0
+    double exponent = 0;        ///< alpha, in [0, 2]
+    double wave_amplitude = 0;  ///< particles per bin, >= 0
+    double wave_velocity = 0;   ///< sites per step along gravity
+    int wave_number = 1;        ///< waves per pipe length, >= 1
     std::uint64_t seed = 0;
 };
 

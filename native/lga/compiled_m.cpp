@@ -1,7 +1,6 @@
 // Reading M as code.
-// AVX-512 with AES on whole vectors, AVX2 with AES, or neither.
-#define HWY_WANT_AVX3_DL
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3)
+#include "native/lga/instruction_sets.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "native/lga/compiled_m.cpp"
 #include <hwy/foreach_target.h>

@@ -1,8 +1,7 @@
 #include "native/lga/random_bits.hpp"
 
-// AVX-512 with AES on whole vectors, AVX2 with AES, or neither.
-#define HWY_WANT_AVX3_DL
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3)
+#include "native/lga/instruction_sets.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "native/lga/random_bits.cpp"
 #include <hwy/foreach_target.h>
@@ -15,15 +14,18 @@ HWY_BEFORE_NAMESPACE();
 namespace crossgrain::lga::HWY_NAMESPACE {
 
 void four_blocks(const RoundKeys& keys, Counter first, Blocks& blocks) {
-    for (std::uint64_t i = 0; i < blocks.size(); ++i) {
 #if HWY_TARGET == HWY_SCALAR
+    for (std::uint64_t i = 0; i < blocks.size(); ++i) {
         blocks[i] = portable_block(keys, {.low = first.low, .high = first.high + i});
-#else
-        const hn::FixedTag<std::uint64_t, 2> d;
-        alignas(16) const std::uint64_t lanes[2] = {first.low, first.high + i};
-        hn::StoreU(Ars<decltype(d)>(keys)(hn::Load(d, lanes)), d, blocks[i].data());
-#endif
     }
+#else
+    const hn::FixedTag<std::uint64_t, 2> d;
+    const Ars<decltype(d)> ars(keys);
+    for (std::uint64_t i = 0; i < blocks.size(); ++i) {
+        alignas(16) const std::uint64_t lanes[2] = {first.low, first.high + i};
+        hn::StoreU(ars(hn::Load(d, lanes)), d, blocks[i].data());
+    }
+#endif
 }
 
 }  // namespace crossgrain::lga::HWY_NAMESPACE

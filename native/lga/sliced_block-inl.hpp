@@ -7,13 +7,11 @@
 #define CROSSGRAIN_LGA_SLICED_BLOCK_INL
 #endif
 
-#include "native/lga/bins.hpp"
 #include "native/lga/column_kernel-inl.hpp"
 #include "native/lga/initial_state.hpp"
-#include "native/lga/lane_counter-inl.hpp"
 #include "native/lga/profile.hpp"
+#include "native/lga/sliced_bins-inl.hpp"
 #include "native/lga/sliced_lattice.hpp"
-#include "native/lga/sliced_relocation-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace crossgrain::lga::HWY_NAMESPACE {
@@ -77,27 +75,30 @@ class SlicedBlock {
     }
 
     [[nodiscard]] bool is_saturated(int replica) const {
-        return bit(saturated_, replica - first_) != 0;
+        return bit_of(saturated_, replica - first_) != 0;
     }
     [[nodiscard]] std::uint8_t site(int replica, Site site) const {
         unsigned packed = 0;
         for (int i = 0; i <= rest_bit; ++i) {
-            packed |= bit(lattice_.word(i, site), replica - first_) << i;
+            packed |= bit_of(lattice_.word(i, site), replica - first_) << i;
         }
         return static_cast<std::uint8_t>(packed);
     }
 
     /// Fills the part of the arrays that belongs to these replicas.
     void measure(int bin, const Fields& fields, BinValues& values) const {
-        for (int b = 0; b < geometry_.rows() / bin; ++b)
-            measure_bin(b, bin, fields, values);
+        const SlicedBins<lanes> bins(geometry_, lattice_, bin);
+        const std::size_t all = static_cast<std::size_t>(model_.replicas);
+        for (int b = 0; b < geometry_.rows() / bin; ++b) {
+            const auto at = static_cast<std::size_t>(b) * all + static_cast<std::size_t>(first_);
+            bins.measure(b, fields, at, static_cast<std::size_t>(replicas_), values);
+            if (!W::is_zero(W::load(saturated_))) {
+                bins.add_excess(b, relocation_, fields, at, replicas_, values);
+            }
+        }
     }
 
   private:
-    static unsigned bit(const std::uint64_t* word, int i) {
-        return static_cast<unsigned>(word[i / 64] >> (i % 64) & 1U);
-    }
-
     void fill(int r, const std::vector<std::uint8_t>& sites) {
         for (int column = 0; column < geometry_.columns(); ++column) {
             for (int row = 0; row < geometry_.rows(); ++row) {
@@ -212,96 +213,6 @@ class SlicedBlock {
                 if (step == 0) continue;
                 const int row = step > 0 ? 0 : geometry_.rows() - 1;
                 W::store(W::none(), lattice_.word(i, {.column = column, .row = row}));
-            }
-        }
-    }
-
-    using Count = LaneCounter<W, 17>;
-    using Short = ShortCounter<W>;
-
-    void measure_bin(int b, int bin, const Fields& fields, BinValues& values) const {
-        Count count, rests, down, up;
-        const int end = (b + 1) * bin;
-        for (int column = 0; column < geometry_.columns(); ++column) {
-            for (int row = b * bin; row < end; row += Short::capacity) {
-                const int last = std::min(end, row + Short::capacity);
-                if (fields.count) count.add(count_particles(column, row, last).digits());
-                if (fields.rests) rests.add(count_rests(column, row, last).digits());
-                if (fields.momentum) {
-                    down.add(count_momentum(column, row, last, {0, 1, 5}).digits());
-                    up.add(count_momentum(column, row, last, {3, 2, 4}).digits());
-                }
-            }
-        }
-        const auto at = static_cast<std::size_t>(b) * static_cast<std::size_t>(model_.replicas) +
-                        static_cast<std::size_t>(first_);
-        const auto replicas = static_cast<std::size_t>(replicas_);
-        if (fields.count) std::copy_n(count.counts().begin(), replicas, values.count.begin() + at);
-        if (fields.rests) std::copy_n(rests.counts().begin(), replicas, values.rests.begin() + at);
-        if (fields.momentum) {
-            const auto plus = down.counts(), minus = up.counts();
-            for (std::size_t r = 0; r < replicas; ++r) {
-                values.momentum[at + r] = static_cast<std::int16_t>(plus[r] - minus[r]);
-            }
-        }
-        if (!W::is_zero(W::load(saturated_))) add_excess(b, bin, fields, values);
-    }
-
-    HWY_INLINE V load(int state, int column, int row) const {
-        return W::load(lattice_.word(state, {.column = column, .row = row}));
-    }
-
-    /// All particles of rows [first, last) of a column.
-    Short count_particles(int column, int first, int last) const {
-        Short count;
-        for (int row = first; row < last; ++row) {
-            V s[flip_outputs];
-            for (int i = 0; i <= rest_bit; ++i)
-                s[i] = load(i, column, row);
-            const V x = sum_of(s[0], s[1], s[2]), y = sum_of(s[3], s[4], s[5]);
-            const V cx = carry_of(s[0], s[1], s[2]), cy = carry_of(s[3], s[4], s[5]),
-                    cz = carry_of(x, y, s[rest_bit]);
-            count.add(sum_of(x, y, s[rest_bit]), sum_of(cx, cy, cz), carry_of(cx, cy, cz));
-        }
-        return count;
-    }
-    Short count_rests(int column, int first, int last) const {
-        Short count;
-        for (int row = first; row < last; ++row) {
-            count.add(load(rest_bit, column, row), W::none(), W::none());
-        }
-        return count;
-    }
-    /// Half sites per step of a vertical direction (two) and of two diagonals (one each).
-    Short count_momentum(int column, int first, int last, const std::array<int, 3>& along) const {
-        Short count;
-        for (int row = first; row < last; ++row) {
-            const V vertical = load(along[0], column, row);
-            const V one = load(along[1], column, row), other = load(along[2], column, row);
-            const V two = hn::And(one, other);
-            count.add(hn::Xor(one, other), hn::Xor(vertical, two), hn::And(vertical, two));
-        }
-        return count;
-    }
-
-    /// Rests that found no place, at the end of a saturated run.
-    void add_excess(int b, int bin, const Fields& fields, BinValues& values) const {
-        for (int column = 1; column + 1 < geometry_.columns(); ++column) {
-            for (int row = b * bin; row < (b + 1) * bin; ++row) {
-                const auto* digits =
-                    relocation_.excess(geometry_.index({.column = column, .row = row}));
-                for (int r = 0; r < replicas_; ++r) {
-                    unsigned more = 0;
-                    for (std::size_t k = 0; k < relocation_.digits; ++k) {
-                        more |= bit(digits + k * lanes, r) << k;
-                    }
-                    const auto at = static_cast<std::size_t>(b * model_.replicas + first_ + r);
-                    const auto add = [&](auto& value) {
-                        value = static_cast<std::uint16_t>(value + more);
-                    };
-                    if (fields.count) add(values.count[at]);
-                    if (fields.rests) add(values.rests[at]);
-                }
             }
         }
     }

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_moving_triangle_is_found_in_noise) {
     BOOST_TEST(get(results, "profile_excess").value > 0.2);
     // Half way from mean to peak: 40 % of the way down each side.
     BOOST_TEST(get(results, "profile_width").value == 0.4 * 160, tt::tolerance(0.1));
-    BOOST_TEST(get(results, "profile_steepness").value == 3.0, tt::tolerance(0.25));
+    BOOST_TEST(get(results, "profile_asymmetry").value == std::log(3.0), tt::tolerance(0.25));
     BOOST_TEST(get(results, "profile_front_sharper").value == 1.0);
     const auto x = column(results, "profile", "X");
     const auto density = column(results, "profile", "density");
