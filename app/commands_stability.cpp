@@ -1,5 +1,6 @@
 // crossgrain stability: where methods stop working. For distinct elements thresholds by bisection;
-// for the lattice models the states their runs were found in, over the sweep of a case.
+// for the lattice models the states their runs were found in, over the sweep of a case or of the
+// failure map it names.
 #include "app/commands.hpp"
 #include "app/session.hpp"
 #include "app/stability.hpp"
@@ -117,7 +118,7 @@ int map_stability(const Settings& settings, std::stop_token stop) {
             continue;
         }
         Settings one = settings;
-        one.cases = {the_case->file};
+        one.cases = {the_case->failure_map.empty() ? the_case->file : the_case->failure_map};
         store::Store store(settings.results);
         const auto session = run_session(one, store, stop, true);
         for (const auto& item : session.cases)

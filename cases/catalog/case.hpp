@@ -93,6 +93,7 @@ class Case {
     std::string model =
         "grains";  ///< "grains", "lattice-gas", "hopper-automaton", "synthetic-signal"
     std::string file;
+    std::string failure_map;  ///< case whose sweep maps where this one's model fails; may be empty
     std::vector<std::string> suites;  ///< "quick", "full"
     std::vector<Variant> variants;    ///< at least one
     std::vector<ObservableRequest> observables;

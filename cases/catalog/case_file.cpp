@@ -170,6 +170,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.suites = read_suites(t);
     result.time_limit = t.number("time_limit", Range::positive());
     if (t.has("model")) result.model = models[t.choice("model", models)];
+    result.failure_map = t.optional_text("failure_map").value_or("");
     const auto written = read_written_variants(t);
     source->written = written.size();
     result.variants = cross(source->sweep, written);

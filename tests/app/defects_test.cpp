@@ -100,7 +100,8 @@ compare::Outcome certify(const std::string& case_name, const std::string& code,
     settings.quiet = true;
     const auto the_case = catalog::load_case(
         CROSSGRAIN_SOURCE_DIR "/tests/app/cases/" + case_name + ".toml", catalog::Suite::quick);
-    const DefectiveCode defective(*app::select_codes({code}).front(), plant);
+    const DefectiveCode defective(
+        dynamic_cast<const adapters::GrainCode&>(*app::select_codes({code}).front()), plant);
     auto runs =
         app::plan(the_case, {app::select_codes({"native-dem"}).front(), &defective}, settings);
     store::Store store(settings.results);
