@@ -49,7 +49,8 @@ class Code {
 };
 
 /// A code that runs one kind of scene: `scene::Scene`, `scene::LatticeGas`, ...
-template <class SceneT> class CodeFor : public Code {
+template <class SceneT>
+class CodeFor : public Code {
   public:
     using Frame = typename scene::FrameOf<SceneT>::type;
     using Sink = std::function<void(const Frame&)>;

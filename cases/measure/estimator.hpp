@@ -7,7 +7,8 @@
 namespace crossgrain::measure {
 
 /// An estimator is built for one scene and used for one run.
-template <class FrameT> class EstimatorOf {
+template <class FrameT>
+class EstimatorOf {
   public:
     virtual ~EstimatorOf() = default;
     virtual void add(const FrameT& frame) = 0;

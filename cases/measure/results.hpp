@@ -40,8 +40,8 @@ struct Picture {
     std::string name;   ///< e.g. "space-time"
     std::string title;  ///< with what the axes and colours mean
     std::size_t width = 0, height = 0;
-    std::vector<std::uint8_t> pixels;                   ///< shape (height, width)
-    std::vector<std::array<std::uint8_t, 3>> palette;   ///< red, green, blue; up to 256
+    std::vector<std::uint8_t> pixels;                  ///< shape (height, width)
+    std::vector<std::array<std::uint8_t, 3>> palette;  ///< red, green, blue; up to 256
 };
 
 /// What a run was found to be, in a word: e.g. {"state", "ageing", "density drifts by 3 sigma"}.

@@ -17,8 +17,8 @@ namespace crossgrain::tests {
 inline constexpr double parity_limit = 1e-11;
 
 /// Runs the scene and holds it against the reference; returns the code's frames.
-inline std::vector<KeptFrame> check_parity(const adapters::GrainCode& code, const scene::Scene& scene,
-                                           double limit = parity_limit) {
+inline std::vector<KeptFrame> check_parity(const adapters::GrainCode& code,
+                                           const scene::Scene& scene, double limit = parity_limit) {
     std::vector<KeptFrame> frames;
     BOOST_TEST_CONTEXT(code.name() << ", " << scene.name) {
         BOOST_TEST(!code.cannot_express(scene).has_value());

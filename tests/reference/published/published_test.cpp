@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_trend_stands_in_place_of_a_value) {
                "value.slope.trend");
     // Either a number or a trend.
     BOOST_TEST(refusal_with("error = 0.1\n", "error = 0.1\ntrend = \"constant\"\n").key ==
-               "value.slope.value");
+               "value.slope.error");
 }
 
 BOOST_AUTO_TEST_CASE(the_shipped_files_load_and_say_all_about_each_value) {
