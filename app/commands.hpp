@@ -41,7 +41,7 @@ int write_report(const Settings& settings, bool open);
 int run_benches(const Settings& settings, const std::vector<std::string>& names, bool quick,
                 std::stop_token stop);
 /// Thresholds and maps of where methods stop working.
-int map_stability(const Settings& settings, std::stop_token stop);
+int map_stability(const Settings& settings, const std::stop_token& stop);
 /// Drift of every observable and cost over the store.
 int show_history(const Settings& settings);
 

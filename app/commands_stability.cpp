@@ -106,7 +106,7 @@ void print_report(const StabilityReport& report) {
 
 }  // namespace
 
-int map_stability(const Settings& settings, std::stop_token stop) {
+int map_stability(const Settings& settings, const std::stop_token& stop) {
     std::vector<StabilityReport> reports;
     int code = exit_ok;
     for (const auto& the_case : selected_cases(settings)) {

@@ -133,9 +133,9 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     });
     bench->add_option("NAME", a.benches, "lga, hopper, dem (default: all)");
     bench->add_flag("--quick", a.quick_bench, "shorter runs, figures are less certain");
-    auto* stability = add("stability", "where methods stop working", [](Arguments& x, auto stop) {
-        return app::map_stability(x.settings, std::move(stop));
-    });
+    auto* stability =
+        add("stability", "where methods stop working",
+            [](Arguments& x, const auto& stop) { return app::map_stability(x.settings, stop); });
     add_selection(*stability, a);
     add_execution(*stability, a);
     auto* validate = add("validate", "run a suite, judge it, write the report",

@@ -43,8 +43,8 @@ class CandidateLists {
             for (int number = 0; number < candidate_count; ++number) {
                 if ((mask >> number & 1) == 0) continue;
                 const Candidate c = candidate_of(number);
-                const auto code = static_cast<std::uint64_t>(4 * (c.source - 2) + c.orientation);
-                list |= code << (4 * ++count);
+                const int code = 4 * (c.source - 2) + c.orientation;  // four bits
+                list |= std::uint64_t(code) << (4 * ++count);
             }
             lists_[mask] = list | count;
         }
