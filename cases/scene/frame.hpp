@@ -21,6 +21,7 @@ struct Frame {
     std::span<const double> x, y;    ///< unwrapped positions
     std::span<const double> vx, vy;  ///< velocities at this time (not at a half step)
     std::optional<LidState> lid;     ///< present if the scene has a free lid
+    std::span<const double> omega;   ///< angular velocities; empty unless the scene has friction
 };
 
 using FrameSink = std::function<void(const Frame&)>;

@@ -114,6 +114,10 @@ std::string to_string(Spins value) {
     return value == Spins::off ? "off" : "on";
 }
 
+std::string to_string(DampingScale value) {
+    return value == DampingScale::absolute ? "absolute" : "effective-mass";
+}
+
 std::string to_string(PlateContact value) {
     return value == PlateContact::centre ? "centre" : "surface";
 }

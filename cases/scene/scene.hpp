@@ -3,6 +3,8 @@
 // those of Taguchi's paper (grain mass m = 1, gravity g = 1, diameter d = 2).
 #pragma once
 
+#include "cases/scene/friction.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -55,6 +57,10 @@ enum class Contacts { neighbour_list, lattice_neighbours };
 /// Arithmetic of the run: double throughout, or fixed-point positions with float velocities.
 enum class Precision { double_precision, mixed };
 
+/// Whether a dashpot is as strong as it says, or per unit of the pair's effective mass
+/// m_i m_j/(m_i + m_j), a frozen grain counting as infinitely heavy.
+enum class DampingScale { absolute, effective_mass };
+
 /// Linear spring-dashpot contact between two discs:
 /// F_i = k (d - r) n - eta (v_i - v_j), contact while r < d  (Taguchi, Eq. 1).
 struct ContactLaw {
@@ -63,6 +69,8 @@ struct ContactLaw {
     Damping damping_acts_on = Damping::full_vector;
     Clipping clipping = Clipping::none;
     Spins spins = Spins::off;
+    DampingScale damping_scale = DampingScale::absolute;
+    std::optional<Friction> friction;  ///< needs spins on and normal-only damping
 };
 
 /// Elastic horizontal plate moving as y(t) = height + amplitude cos(2 pi (t/period + phase)).
@@ -91,16 +99,34 @@ struct Plates {
     Lid lid;
 };
 
+/// Elastic, frictionless vertical planes that push the *centres* of grains back between
+/// them, with force stiffness * (distance behind the plane): the backing of a rough wall made of
+/// frozen grains, so that nothing squeezes through it.
+struct BackingPlanes {
+    double stiffness = 0;        ///< (m/t^2), > 0
+    double left = 0, right = 0;  ///< positions along x, left < right
+};
+
 /// State at t = 0, the same 17 digits for every code. All arrays have shape (grains).
 struct InitialState {
     std::vector<double> x, y;    ///< positions (length), unwrapped
     std::vector<double> vx, vy;  ///< velocities at t = 0 (not at a half step)
+    std::vector<double> omega;   ///< angular velocities (1/t), counter-clockwise; empty: all 0
     std::vector<bool> frozen;    ///< grains that never move; empty when there are none
 };
 
+/// Grains that are all alike, or each with its own size and mass.
 struct Grains {
-    double diameter = 0;  ///< d, > 0
-    double mass = 0;      ///< m, > 0
+    double diameter = 0;            ///< d, > 0; of grains that differ, the nominal one
+    double mass = 0;                ///< m, > 0; the same
+    std::vector<double> diameters;  ///< shape (grains); empty when all are alike
+    std::vector<double> masses;     ///< shape (grains); empty when all are alike
+
+    [[nodiscard]] bool differ() const noexcept { return !diameters.empty(); }
+    [[nodiscard]] double diameter_of(std::size_t i) const {
+        return differ() ? diameters[i] : diameter;
+    }
+    [[nodiscard]] double mass_of(std::size_t i) const { return differ() ? masses[i] : mass; }
 };
 
 /// One run. Built by the case reader; every field is resolved (no "default" is left to a code).
@@ -109,7 +135,9 @@ struct Scene {
     Grains grains;
     ContactLaw contact;
     Plates plates;
-    double gravity = 0;                ///< g, acts along -y, >= 0
+    double gravity = 0;  ///< g, acts along -y, >= 0
+    double drag = 0;     ///< force -drag * v on every grain (m/t), >= 0
+    std::optional<BackingPlanes> backing;
     std::optional<double> periodic_x;  ///< period along x; open when absent
     std::optional<double> periodic_y;  ///< period along y; open when absent; excludes plates
     Integrator integrator = Integrator::verlet_half_step;
@@ -126,6 +154,7 @@ struct Scene {
         return std::holds_alternative<FreeLid>(plates.lid);
     }
     [[nodiscard]] bool has_frozen_grains() const noexcept { return !initial.frozen.empty(); }
+    [[nodiscard]] bool has_friction() const noexcept { return contact.friction.has_value(); }
 };
 
 /// Half the time of a head-on collision's undamped-frequency cycle: t_col = pi / omega with
@@ -147,6 +176,7 @@ struct Scene {
 [[nodiscard]] std::string to_string(Damping value);
 [[nodiscard]] std::string to_string(Clipping value);
 [[nodiscard]] std::string to_string(Spins value);
+[[nodiscard]] std::string to_string(DampingScale value);
 [[nodiscard]] std::string to_string(PlateContact value);
 [[nodiscard]] std::string to_string(Integrator value);
 [[nodiscard]] std::string to_string(Contacts value);
