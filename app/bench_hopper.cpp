@@ -4,6 +4,7 @@
 // machine does not decide; contenders take turns, and the fastest iteration counts (the median is
 // told).
 #include "app/bench.hpp"
+#include "native/base/cpu_time.hpp"
 #include "native/base/errors.hpp"
 #include "native/hopper/fast_engine.hpp"
 #include "native/hopper/plain_engine.hpp"
@@ -14,7 +15,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -32,12 +32,6 @@ using Clock = std::chrono::steady_clock;
 using Table = std::shared_ptr<const hopper::CandidateTable>;
 
 constexpr int paper_levels = 800, paper_outlet = 20, paper_iterations = 100, paper_angles = 801;
-
-double thread_cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The hopper of Fig. 7 with walls of slope 3.
 hopper::Parameters paper_hopper() {

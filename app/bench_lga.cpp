@@ -4,6 +4,7 @@
 // probability is honoured. What is timed is the CPU time of the thread at work, so that a busy
 // machine does not decide; contenders take turns, and the fastest stretch counts.
 #include "app/bench.hpp"
+#include "native/base/cpu_time.hpp"
 #include "native/base/errors.hpp"
 #include "native/lga/ensemble.hpp"
 #include "native/lga/profile.hpp"
@@ -15,7 +16,6 @@
 #include <barrier>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -29,12 +29,6 @@ namespace {
 
 constexpr int bin = 10;    // sites per bin of the measured runs
 constexpr int every = 10;  // steps between two measurements
-
-double thread_cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A site with movers along these directions.
 lga::SiteState site(std::initializer_list<int> movers, int rests = 0) {

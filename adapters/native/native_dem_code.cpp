@@ -1,6 +1,7 @@
 #include "adapters/native/native_dem_code.hpp"
 
 #include "adapters/dump/dump_writer.hpp"
+#include "adapters/supervisor.hpp"
 #include "cases/scene/frame_guard.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/errors.hpp"
@@ -10,21 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <fstream>
 #include <numbers>
 
 namespace crossgrain::adapters {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double thread_cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 dem::MovingPlate moving_plate(const scene::PrescribedPlate& plate) {
     return {.height = plate.height,
@@ -127,27 +118,6 @@ scene::Frame frame_of(const dem::State& state, const scene::Scene& scene) {
     return frame;
 }
 
-/// Stops a run between blocks of steps: when the user asks, or when its time is over.
-class Supervisor {
-  public:
-    explicit Supervisor(const RunOptions& options) : options_(options), start_(Clock::now()) {}
-
-    void check() const {
-        if (options_.stop.stop_requested()) throw Interrupted();
-        if (elapsed() > options_.time_limit) {
-            throw TrajectoryError(
-                fmt::format("stopped at the time limit of {:g} s", options_.time_limit));
-        }
-    }
-    [[nodiscard]] double elapsed() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
-
-  private:
-    const RunOptions& options_;
-    Clock::time_point start_;
-};
-
 void stream_frames(const scene::Scene& scene, const Supervisor& supervisor,
                    scene::FrameGuard& guard) {
     constexpr std::int64_t block = 1000;  // steps between two looks at the clock
@@ -209,8 +179,7 @@ std::vector<InputFile> NativeDemCode::input(const scene::Scene& scene) const {
 
 RunCost NativeDemCode::run(const scene::Scene& scene, const RunOptions& options,
                            const scene::FrameSink& sink) const {
-    const Supervisor supervisor(options);
-    const double cpu_start = thread_cpu_seconds();
+    const Supervisor supervisor(name(), options);
     std::ofstream file;
     if (options.keep_dump) file.open(options.directory / "dump.txt");
     dump::DumpWriter write_frame(scene, file);
@@ -218,24 +187,17 @@ RunCost NativeDemCode::run(const scene::Scene& scene, const RunOptions& options,
         if (options.keep_dump) write_frame(frame);
         sink(frame);
     };
-    const auto failure = [&](const char* reason) {
-        return AdapterError({.code = name(),
-                             .reason = reason,
-                             .command = {},
-                             .exit = {},
-                             .log_tail = {},
-                             .directory = options.directory.string()});
-    };
     try {
         scene::FrameGuard guard(scene, tee);
         stream_frames(scene, supervisor, guard);
-        if (options.keep_dump && !file.flush()) throw failure("the dump could not be written");
+        if (options.keep_dump && !file.flush())
+            throw supervisor.failure("the dump could not be written");
     } catch (const TrajectoryError& error) {
-        throw failure(error.what());
+        throw supervisor.failure(error.what());
     } catch (const std::ios_base::failure& error) {
-        throw failure(error.what());
+        throw supervisor.failure(error.what());
     }
-    return {.cpu_s = thread_cpu_seconds() - cpu_start, .wall_s = supervisor.elapsed()};
+    return supervisor.cost();
 }
 
 }  // namespace crossgrain::adapters

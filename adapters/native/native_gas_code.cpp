@@ -1,5 +1,7 @@
 #include "adapters/native/native_gas_code.hpp"
 
+#include "adapters/native/gas_model.hpp"
+#include "adapters/supervisor.hpp"
 #include "cases/scene/model_json.hpp"
 #include "native/base/errors.hpp"
 #include "native/lga/ensemble.hpp"
@@ -8,8 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -18,90 +18,11 @@
 namespace crossgrain::adapters {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double thread_cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-lga::SiteState site(const scene::SiteState& s) {
-    return {.movers = s.movers, .rests = s.rests};
-}
-
-std::vector<lga::Rule> rules(const scene::LatticeGas& scene) {
-    std::vector<lga::Rule> rules;
-    for (const auto& row : scene.reading.rows) {
-        rules.push_back({.before = site(row.before),
-                         .after = site(row.after),
-                         .probability = row.probability.at(scene.dissipation),
-                         .matching = row.matching == scene::Matching::exact
-                                         ? lga::Matching::exact
-                                         : lga::Matching::spectators,
-                         .origin = fmt::format("{}:{}", scene.reading.file, row.line)});
-    }
-    return rules;
-}
-
-lga::Model model(const scene::LatticeGas& scene) {
-    const auto& gravity = scene.reading.gravity;
-    return {.rules = rules(scene),
-            .gravity_rule = {.rest_to_down = gravity.rest_to_down,
-                             .up_diagonals = gravity.up_diagonals,
-                             .up_to_rest = gravity.up_to_rest,
-                             .on_walls = gravity.on_walls},
-            .walls = scene.reading.walls == scene::WallPlace::inside ? lga::WallPlace::inside
-                                                                     : lga::WallPlace::outside,
-            .relocation = scene.reading.relocation == scene::Relocation::origin_first
-                              ? lga::Relocation::origin_first
-                              : lga::Relocation::random_walk,
-            .length = scene.sampling.length,
-            .width = scene.sampling.width,
-            .periodic = scene.ends == scene::PipeEnds::periodic,
-            .density = scene.density,
-            .injection = scene.injection,
-            .gravity = scene.gravity,
-            .roughness = scene.roughness,
-            .replicas = scene.sampling.replicas,
-            .seed = scene.seed};
-}
-
 std::unique_ptr<lga::Ensemble> ensemble(const scene::LatticeGas& scene) {
-    const auto gas = model(scene);
+    const auto gas = gas_model(scene);
     if (scene.engine == scene::GasEngine::table) return lga::make_table_ensemble(gas);
     return lga::make_sliced_ensemble(gas, lga::best_word_width(gas.replicas));
 }
-
-AdapterError failure(std::string reason, const RunOptions& options) {
-    return AdapterError({.code = "native-lga",
-                         .reason = std::move(reason),
-                         .command = {},
-                         .exit = {},
-                         .log_tail = {},
-                         .directory = options.directory.string()});
-}
-
-/// Stops a run between blocks of steps: when the user asks, or when its time is over.
-class Supervisor {
-  public:
-    explicit Supervisor(const RunOptions& options) : options_(options), start_(Clock::now()) {}
-
-    void check() const {
-        if (options_.stop.stop_requested()) throw Interrupted();
-        if (elapsed() > options_.time_limit) {
-            throw failure(fmt::format("stopped at the time limit of {:g} s", options_.time_limit),
-                          options_);
-        }
-    }
-    [[nodiscard]] double elapsed() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
-
-  private:
-    const RunOptions& options_;
-    Clock::time_point start_;
-};
 
 /// Lines of frames.csv, if it is to be kept.
 class FrameTable {
@@ -122,9 +43,9 @@ class FrameTable {
                                  text(frame.momentum, i));
         }
     }
-    void finish() {
+    void finish(const Supervisor& supervisor) {
         if (!options_.keep_dump) return;
-        if (!file_.flush()) throw failure("frames.csv could not be written", options_);
+        if (!file_.flush()) throw supervisor.failure("frames.csv could not be written");
     }
 
   private:
@@ -134,8 +55,9 @@ class FrameTable {
 
 class Run {
   public:
-    Run(const scene::LatticeGas& scene, const RunOptions& options, const GasCode::Sink& sink)
-        : scene_(scene), options_(options), sink_(sink), supervisor_(options), table_(options),
+    Run(const scene::LatticeGas& scene, const RunOptions& options, const Supervisor& supervisor,
+        const GasCode::Sink& sink)
+        : scene_(scene), sink_(sink), supervisor_(supervisor), table_(options),
           ensemble_(ensemble(scene)) {}
 
     void operator()() {
@@ -144,9 +66,8 @@ class Run {
             if (!advance_to(step)) break;
             show();
         }
-        table_.finish();
+        table_.finish(supervisor_);
     }
-    [[nodiscard]] double elapsed() const { return supervisor_.elapsed(); }
 
   private:
     /// False when the ensemble saturated on the way and the scene says that this is a result.
@@ -193,22 +114,20 @@ class Run {
             count += values.count[i];
             rests += values.rests[i];
         }
-        const lga::Geometry geometry(model(scene_));
-        return failure(
+        const lga::Geometry geometry(gas_model(scene_));
+        return supervisor_.failure(
             fmt::format("saturated at step {}: the particles at rest found no free site in {} of "
                         "{} replicas; in replica {} the density is {:.4g} and {:.4g} particles at "
                         "rest come on each site that can hold one; lower the density, the "
                         "injection or the dissipation",
                         ensemble_->step(), std::ranges::count(flags, 1), flags.size(), replica,
                         count / (static_cast<double>(s.length) * s.width),
-                        rests / static_cast<double>(geometry.interior_sites())),
-            options_);
+                        rests / static_cast<double>(geometry.interior_sites())));
     }
 
     const scene::LatticeGas& scene_;
-    const RunOptions& options_;
     const GasCode::Sink& sink_;
-    Supervisor supervisor_;
+    const Supervisor& supervisor_;
     FrameTable table_;
     std::unique_ptr<lga::Ensemble> ensemble_;
     lga::BinValues values_;
@@ -255,14 +174,13 @@ std::vector<InputFile> NativeGasCode::input(const scene::LatticeGas& scene) cons
 
 RunCost NativeGasCode::run(const scene::LatticeGas& scene, const RunOptions& options,
                            const Sink& sink) const {
-    const double cpu_start = thread_cpu_seconds();
+    const Supervisor supervisor(name(), options);
     try {
-        Run run(scene, options, sink);
-        run();
-        return {.cpu_s = thread_cpu_seconds() - cpu_start, .wall_s = run.elapsed()};
+        Run(scene, options, supervisor, sink)();
     } catch (const CaseError& error) {
-        throw failure(error.what(), options);
+        throw supervisor.failure(error.what());
     }
+    return supervisor.cost();
 }
 
 }  // namespace crossgrain::adapters

@@ -1,5 +1,6 @@
 #include "adapters/native/native_hopper_code.hpp"
 
+#include "adapters/supervisor.hpp"
 #include "cases/scene/model_json.hpp"
 #include "native/base/errors.hpp"
 #include "native/hopper/engine.hpp"
@@ -8,21 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <fstream>
 #include <numeric>
 
 namespace crossgrain::adapters {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double thread_cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 hopper::Rules rules(const scene::HopperAutomaton& scene) {
     return {.c_d = scene.c_d,
@@ -56,29 +47,6 @@ hopper::Parameters parameters(const scene::HopperAutomaton& scene, std::size_t a
             .seed = scene.seed,
             .run = static_cast<std::uint32_t>(run)};
 }
-
-/// Stops a run between iterations: when the user asks, or when its time is over.
-class Supervisor {
-  public:
-    explicit Supervisor(const RunOptions& options) : options_(options), start_(Clock::now()) {}
-
-    void check() const {
-        if (options_.stop.stop_requested()) throw Interrupted();
-        if (elapsed() > options_.time_limit) {
-            throw AdapterError(
-                {.code = "native-hopper",
-                 .reason = fmt::format("stopped at the time limit of {:g} s", options_.time_limit),
-                 .directory = options_.directory.string()});
-        }
-    }
-    [[nodiscard]] double elapsed() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
-
-  private:
-    const RunOptions& options_;
-    Clock::time_point start_;
-};
 
 /// Rows of dump.csv.
 class FlowTable {
@@ -196,8 +164,7 @@ std::vector<InputFile> NativeHopperCode::input(const scene::HopperAutomaton& sce
 
 RunCost NativeHopperCode::run(const scene::HopperAutomaton& scene, const RunOptions& options,
                               const Sink& sink) const {
-    const Supervisor supervisor(options);
-    const double cpu_start = thread_cpu_seconds();
+    const Supervisor supervisor(name(), options);
     FlowTable table(options);
     const auto table_of_moves =
         std::make_shared<hopper::CandidateTable>(hopper::integer_energies(rules(scene)));
@@ -218,7 +185,7 @@ RunCost NativeHopperCode::run(const scene::HopperAutomaton& scene, const RunOpti
         }
     }
     table.finish();
-    return {.cpu_s = thread_cpu_seconds() - cpu_start, .wall_s = supervisor.elapsed()};
+    return supervisor.cost();
 }
 
 }  // namespace crossgrain::adapters

@@ -1,5 +1,6 @@
 #include "adapters/synthetic/signal_code.hpp"
 
+#include "adapters/supervisor.hpp"
 #include "adapters/synthetic/coloured_noise.hpp"
 #include "cases/scene/model_json.hpp"
 #include "native/base/errors.hpp"
@@ -8,9 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -19,46 +18,13 @@ namespace crossgrain::adapters {
 namespace {
 
 using scene::SyntheticSignal;
-using Clock = std::chrono::steady_clock;
 
 constexpr double most_bytes = 0x1p30;
-
-double thread_cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double bytes_of(const SyntheticSignal& signal) {
     return 2.0 * signal.sampling.bins() * signal.sampling.replicas *
            static_cast<double>(signal.sampling.frames());
 }
-
-class Supervisor {
-  public:
-    Supervisor(const RunOptions& options, std::string code)
-        : options_(options), code_(std::move(code)), start_(Clock::now()) {}
-
-    void check() const {
-        if (options_.stop.stop_requested()) throw Interrupted();
-        if (elapsed() <= options_.time_limit) return;
-        throw AdapterError(
-            {.code = code_,
-             .reason = fmt::format("stopped at the time limit of {:g} s", options_.time_limit),
-             .command = {},
-             .exit = {},
-             .log_tail = {},
-             .directory = options_.directory.string()});
-    }
-    [[nodiscard]] double elapsed() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
-
-  private:
-    const RunOptions& options_;
-    std::string code_;
-    Clock::time_point start_;
-};
 
 /// A signal of one run, shape (bins, replicas, frames).
 class Counts {
@@ -159,10 +125,9 @@ std::vector<InputFile> SyntheticSignalCode::input(const SyntheticSignal& signal)
 
 RunCost SyntheticSignalCode::run(const SyntheticSignal& signal, const RunOptions& options,
                                  const Sink& sink) const {
-    const double cpu_start = thread_cpu_seconds();
-    const Supervisor supervisor(options, name());
+    const Supervisor supervisor(name(), options);
     Counts(signal, supervisor).stream(supervisor, sink);
-    return {.cpu_s = thread_cpu_seconds() - cpu_start, .wall_s = supervisor.elapsed()};
+    return supervisor.cost();
 }
 
 }  // namespace crossgrain::adapters

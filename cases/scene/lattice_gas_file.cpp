@@ -60,10 +60,22 @@ void refuse_without(const TomlTable& t, const char* key, const char* of, const c
                   fmt::format("'{}' with {} pipes only", key, of), "remove one");
 }
 
+/// Seven particles at a site of the interior, and two that arrive at a wall site: wall columns
+/// inside the width W leave less room than the rho <= 7 of the paper's model.
+void check_capacity(const TomlTable& t, const LatticeGas& gas) {
+    const int interior = gas.sampling.width - (gas.reading.walls == WallPlace::inside ? 2 : 0);
+    const double most = (7.0 * interior + 4.0) / gas.sampling.width;
+    if (gas.density <= most) return;
+    throw t.error("density", "is more than the pipe can hold", fmt::format("{:g}", gas.density),
+                  fmt::format("at most {:.4g} for width {} with walls {}", most, gas.sampling.width,
+                              to_string(gas.reading.walls)));
+}
+
 /// A periodic pipe is filled, an open one starts empty and is fed.
 void read_filling(const TomlTable& t, LatticeGas& gas) {
     if (gas.ends == PipeEnds::periodic) {
         gas.density = t.number("density", Range::left_open(0, 7));
+        check_capacity(t, gas);
         refuse_without(t, "injection", "open", "periodic");
     } else {
         gas.injection = t.number("injection", fraction());

@@ -13,6 +13,8 @@ enum class RandomStream : std::uint32_t {
     initial_velocity = 1,
     initial_position = 2,
     jitter = 3,
+    initial_size = 4,
+    initial_spin = 5,
     signal = 20
 };
 

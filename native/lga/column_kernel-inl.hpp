@@ -28,6 +28,8 @@ class ColumnKernel {
     /// The interior sites with indices [first, last); excess rests go to `excess`.
     virtual void operator()(std::int64_t step, int first, int last, ColumnWords words,
                             ExcessList<lanes>& excess) = 0;
+    /// Code of a table that the compiler knew, not an interpreter.
+    [[nodiscard]] virtual bool is_compiled() const = 0;
 
   protected:
     ColumnKernel() = default;
@@ -56,6 +58,7 @@ class ColumnKernelOf final : public ColumnKernel<lanes> {
         for (; index < last; ++index)
             collide<1>(counters, index, words, excess);
     }
+    [[nodiscard]] bool is_compiled() const override { return Collision::is_compiled; }
 
   private:
     template <std::size_t sites>

@@ -19,6 +19,7 @@ namespace crossgrain::lga::HWY_NAMESPACE {
 template <std::size_t lanes, const auto& plan>
 class CompiledCollision {
   public:
+    static constexpr bool is_compiled = true;
     static constexpr std::size_t batch = 2;
     using W = Words<lanes>;
     using V = typename W::V;

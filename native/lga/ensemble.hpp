@@ -43,6 +43,8 @@ class Ensemble {
     virtual void measure(int bin, const Fields& fields, BinValues& values) const = 0;
     /// Packed state of one site: movers in bits 0..5, the rest particle in bit 6.
     [[nodiscard]] virtual std::uint8_t site(int replica, Site site) const = 0;
+    /// Whether collisions run as code of a shipped reading, which is faster; the bits are the same.
+    [[nodiscard]] virtual bool is_compiled() const = 0;
 
   protected:
     Ensemble() = default;

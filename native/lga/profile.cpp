@@ -1,5 +1,6 @@
 #include "native/lga/profile.hpp"
 
+#include "native/base/cpu_time.hpp"
 #include "native/lga/bins.hpp"
 
 #include "native/lga/instruction_sets.hpp"
@@ -13,7 +14,6 @@
 #include "native/lga/sliced_block-inl.hpp"
 
 #include <bit>
-#include <ctime>
 #include <limits>
 #include <stdexcept>
 
@@ -22,9 +22,7 @@ namespace crossgrain::lga::HWY_NAMESPACE {
 namespace {
 
 double thread_cpu_ns() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+    return 1e9 * thread_cpu_seconds();
 }
 
 /// The usual words, counted.

@@ -44,6 +44,7 @@ class SlicedBlock {
         }
     }
 
+    [[nodiscard]] bool is_compiled() const { return kernel_->is_compiled(); }
     /// True if some replica is saturated by this step.
     [[nodiscard]] bool advance() {
         return advance([](Phase /*ended*/) {});

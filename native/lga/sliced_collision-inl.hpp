@@ -18,6 +18,7 @@ namespace crossgrain::lga::HWY_NAMESPACE {
 template <std::size_t lanes>
 class SlicedCollision {
   public:
+    static constexpr bool is_compiled = false;
     static constexpr std::size_t batch = lanes == 8 ? 2 : 4;
     using W = Words<lanes>;
     using V = typename W::V;

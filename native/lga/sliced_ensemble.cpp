@@ -49,6 +49,7 @@ class SlicedEnsemble final : public Ensemble {
     [[nodiscard]] std::uint8_t site(int replica, Site site) const override {
         return block_of(replica).site(replica, site);
     }
+    [[nodiscard]] bool is_compiled() const override { return blocks_.front()->is_compiled(); }
 
   private:
     [[nodiscard]] const Block& block_of(int replica) const {

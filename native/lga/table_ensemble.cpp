@@ -34,6 +34,7 @@ class TableEnsemble final : public Ensemble {
         return replicas_[static_cast<std::size_t>(replica)]
             .sites()[static_cast<std::size_t>(geometry_.index(site))];
     }
+    [[nodiscard]] bool is_compiled() const override { return false; }
 
   private:
     Geometry geometry_;

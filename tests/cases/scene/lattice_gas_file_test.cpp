@@ -75,6 +75,18 @@ BOOST_AUTO_TEST_CASE(a_number_out_of_range_is_refused) {
                    .density == 7.0);
 }
 
+BOOST_AUTO_TEST_CASE(more_than_the_pipe_can_hold_is_refused) {
+    // Reading M counts the walls inside the width: 9 columns of 7, and 2 + 2 at the walls, of 11.
+    const auto dense = [](const char* density) {
+        return tests::replaced(
+            tests::replaced(tests::gas_text, "density = 1.0", std::string("density = ") + density),
+            "reading = \"P\"", "reading = \"M\"");
+    };
+    check_refusal(tests::refusal([&] { (void)tests::read_gas(dense("6.1")); }), "density", 5,
+                  "is more than the pipe can hold");
+    BOOST_TEST(tests::read_gas(dense("6.09")).density == 6.09);
+}
+
 BOOST_AUTO_TEST_CASE(what_does_not_divide_is_refused) {
     check_refusal(gas_refusal("length = 220", "length = 225"), "length", 2,
                   "is not a multiple of the bin");
