@@ -1,16 +1,4 @@
-// Velocity Verlet for many grains: vectors, threads, one pass per step. The order of things:
-//   open    half a kick and the drift, from whole steps to the kernel's own rhythm
-//   full    forces, two half kicks, drift; again and again
-//   close   forces and half a kick: back to a whole step, so that the state can be looked at
-// Positions are looked over after every drift and before the next forces. Frames change nothing:
-// open and close round as full does.
-#include "native/base/errors.hpp"
-#include "native/dem/kernel.hpp"
-#include "native/dem/padded_list.hpp"
-#include "native/dem/simd_coordinates.hpp"
-#include "native/dem/simd_step.hpp"
-#include "native/dem/skin_tuning.hpp"
-#include "native/dem/thread_team.hpp"
+#include "native/dem/simd_kernel.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +9,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace crossgrain::dem {
 namespace {
@@ -38,73 +27,7 @@ int useful_threads(const Parameters& p, std::size_t grains) {
     return static_cast<int>(std::min(static_cast<std::size_t>(std::max(p.threads, 1)), most));
 }
 
-/// values[i] = what was at order[i]; what lies beyond the order stays.
-template <class Values>
-void reorder(Values& values, const std::vector<std::uint32_t>& order) {
-    const Values old = values;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        values[i] = old[order[i]];
-}
-
-template <class Format>
-class SimdKernel final : public StepKernel {
-  public:
-    SimdKernel(const Parameters& parameters, State initial, const StepFunctions<Format>& functions);
-
-    void advance(std::int64_t steps) override;
-    const State& state() override;
-    [[nodiscard]] MissedContacts missed_contacts() const override { return {}; }
-    [[nodiscard]] Effort effort() const override;
-
-  private:
-    using Real = typename Format::Real;
-    using Record = typename Format::Record;
-    using Function = typename StepFunctions<Format>::Function;
-
-    void set_constants();
-    void set_units();
-    void run(Function function, Records<Format>& out);
-    void push_lid(int kicks);
-    void drift_lid();
-    void look_over();
-    void plan_survey(const Survey& s);
-    [[nodiscard]] Survey survey();
-    void make_list();
-    void follow_grains();
-    void check_grains() const;
-    void wrap_grains();
-    void sort_and_list();
-    void write_records();
-    [[nodiscard]] std::size_t groups() const { return padded_ / functions_.lanes; }
-
-    Parameters p_;
-    State state_;
-    bool state_is_old_ = false;
-    StepFunctions<Format> functions_;
-    ThreadTeam team_;
-    Coordinates<Format> coordinates_;
-    StepConstants<Format> constants_;
-    SkinTuning tuning_;
-
-    std::size_t grains_, padded_;
-    std::vector<std::uint32_t> number_;        ///< of the grain at a place, as it was given
-    Records<Format> now_, next_, listed_;      ///< shape (padded + 1)
-    std::vector<Real> own_x_, own_y_;          ///< shape (padded), see StepTask
-    std::vector<double> listed_x_, listed_y_;  ///< when the list was made, x within the period
-    std::vector<double> turns_;                ///< periods to add to x
-    PaddedListMaker maker_;
-    PaddedList list_;
-    double lid_acceleration_ = 0;
-    std::vector<double> lid_overlap_;
-
-    bool exceeded_ = false;
-    double skin_ = 0;  ///< of the present list
-    Real drift_x_ = 0, drift_y_ = 0, speed_limit_ = 0;
-    double centre_x_ = 0, centre_y_ = 0;
-    std::int64_t steps_of_list_ = 0;
-    std::int64_t steps_to_survey_ = 0, steps_since_survey_ = 0;
-    std::int64_t evaluations_ = 0, builds_ = 0;
-};
+}  // namespace
 
 template <class Format>
 SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
@@ -283,109 +206,6 @@ Survey SimdKernel<Format>::survey() {
 }
 
 template <class Format>
-void SimdKernel<Format>::make_list() {
-    if (builds_ > 0) {
-        follow_grains();
-        if (p_.skin == 0) {
-            tuning_.list_has_lasted(steps_of_list_, static_cast<double>(list_.first_row.back()) /
-                                                        static_cast<double>(groups()));
-        }
-    }
-    check_grains();
-    skin_ = tuning_.skin();
-    sort_and_list();
-    ++builds_;
-    steps_of_list_ = 0;
-    centre_x_ = centre_y_ = 0;
-    const Survey s = survey();
-    plan_survey(s);
-    const double fastest = static_cast<double>(speed_limit_) * p_.dt;
-    if (!s.finite || fastest > coordinates_.longest_drift()) {
-        throw TrajectoryError(fmt::format("a grain moves by {:g} in the step at t = {:g}", fastest,
-                                          static_cast<double>(state_.step) * p_.dt));
-    }
-    steps_to_survey_ = std::max<std::int64_t>(steps_to_survey_, 1);
-}
-
-/// Where the grains have come.
-template <class Format>
-void SimdKernel<Format>::follow_grains() {
-    team_.split(grains_, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            listed_x_[i] = coordinates_.x_now(listed_x_[i], listed_[i].x, now_[i].x);
-            listed_y_[i] = coordinates_.y_now(listed_y_[i], listed_[i].y, now_[i].y);
-        }
-    });
-}
-
-template <class Format>
-void SimdKernel<Format>::check_grains() const {
-    for (std::size_t i = 0; i < grains_; ++i) {
-        const double bound = 1e12 * p_.diameter;
-        // Written so that what is no number is out of bounds.
-        if (!(std::abs(listed_x_[i]) < bound) || !(std::abs(listed_y_[i]) < bound) ||
-            !std::isfinite(now_[i].vx) || !std::isfinite(now_[i].vy)) {
-            throw TrajectoryError(
-                fmt::format("grain {} has left all bounds (x = {:g}, y = {:g}, v = {:g}, {:g})",
-                            number_[i], listed_x_[i], listed_y_[i], now_[i].vx, now_[i].vy));
-        }
-    }
-}
-
-/// Into [0, period); only grains that have left it are touched, so that the others are not rounded.
-template <class Format>
-void SimdKernel<Format>::wrap_grains() {
-    const double period = *p_.period_x;
-    for (std::size_t i = 0; i < grains_; ++i) {
-        double& x = listed_x_[i];
-        if (x >= 0 && x < period) continue;
-        const double turns = std::floor(x / period);
-        turns_[i] += turns;
-        x -= turns * period;
-        if (x >= period || x < 0) x = 0;  // a rounding away from the edge
-    }
-}
-
-template <class Format>
-void SimdKernel<Format>::sort_and_list() {
-    if (p_.period_x) wrap_grains();
-    const auto& order = maker_.make(listed_x_, listed_y_,
-                                    {.diameter = p_.diameter,
-                                     .skin = skin_,
-                                     .period_x = p_.period_x,
-                                     .lanes = functions_.lanes,
-                                     .record_size = sizeof(Record)},
-                                    team_, list_);
-    for (auto* values : {&listed_x_, &listed_y_, &turns_})
-        reorder(*values, order);
-    reorder(number_, order);
-    reorder(own_x_, order);
-    reorder(own_y_, order);
-    reorder(now_, order);
-    const auto [low, high] = std::minmax_element(listed_y_.begin(), listed_y_.end());
-    coordinates_.fit(*low, *high);
-    set_units();
-    write_records();
-}
-
-/// Positions as the format has them; lanes beyond the last grain repeat it.
-template <class Format>
-void SimdKernel<Format>::write_records() {
-    for (std::size_t i = 0; i < grains_; ++i) {
-        now_[i].x = coordinates_.x(listed_x_[i]);
-        now_[i].y = coordinates_.y(listed_y_[i]);
-    }
-    for (std::size_t i = grains_; i < padded_; ++i) {
-        now_[i] = now_[grains_ - 1];
-        own_x_[i] = own_x_[grains_ - 1];
-        own_y_[i] = own_y_[grains_ - 1];
-    }
-    now_[padded_] = Record{.x = 0, .y = coordinates_.dummy_y(), .vx = 0, .vy = 0};
-    next_[padded_] = now_[padded_];
-    listed_ = now_;
-}
-
-template <class Format>
 const State& SimdKernel<Format>::state() {
     if (!state_is_old_) return state_;
     for (std::size_t i = 0; i < grains_; ++i) {
@@ -412,7 +232,8 @@ Effort SimdKernel<Format>::effort() const {
             .looked_at = static_cast<double>(list_.offsets.size()) / static_cast<double>(grains_)};
 }
 
-}  // namespace
+template class SimdKernel<MixedFormat>;
+template class SimdKernel<DoubleFormat>;
 
 std::unique_ptr<StepKernel> make_simd_kernel(const Parameters& parameters, State state) {
     if (parameters.precision == Precision::mixed) {

@@ -18,7 +18,9 @@
 // After foreach_target.h, and in this order.
 #include <hwy/highway.h>
 
+#include "native/dem/simd_contacts-inl.hpp"
 #include "native/dem/simd_lanes-inl.hpp"
+#include "native/dem/simd_survey-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace crossgrain::dem {
@@ -27,87 +29,6 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 
 enum class Ending { full_step, half_kick };
-
-/// What a kernel is compiled for; everything else is data.
-template <class TheFormat, DampingDirection the_damping, AttractiveTail the_tail, bool is_predicted>
-struct Variant {
-    using Format = TheFormat;
-    static constexpr DampingDirection damping = the_damping;
-    static constexpr AttractiveTail tail = the_tail;
-    static constexpr bool predicted = is_predicted;
-};
-
-/// Taguchi's Eq. (1) and its variants (contact_law.hpp), added up over the neighbours of a group.
-template <class Kind>
-class ContactForces {
-    using L = Lanes<typename Kind::Format>;
-    using D = typename L::D;
-    using V = typename L::V;
-
-  public:
-    HWY_INLINE ContactForces(const StepConstants<typename Kind::Format>& c, const L& grains)
-        : i_(grains), diameter_(hn::Set(D(), c.diameter)),
-          diameter_squared_(hn::Set(D(), c.diameter * c.diameter)),
-          stiffness_(hn::Set(D(), c.stiffness)), damping_(hn::Set(D(), c.damping)),
-          unit_x_(hn::Set(D(), c.unit_x)), unit_y_(hn::Set(D(), c.unit_y)),
-          period_(hn::Set(D(), c.period)), inverse_period_(hn::Set(D(), c.inverse_period)),
-          fx(hn::Zero(D())), fy(hn::Zero(D())) {}
-
-    template <bool crosses>
-    HWY_INLINE void Add(const L& j) {
-        auto dx = L::Separation(i_.x, j.x, unit_x_);
-        const auto dy = L::Separation(i_.y, j.y, unit_y_);
-        if constexpr (crosses) {
-            dx = hn::NegMulAdd(hn::Round(hn::Mul(dx, inverse_period_)), period_, dx);
-        }
-        const auto r_squared = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
-        const auto touch = hn::Lt(r_squared, diameter_squared_);
-        // The outer rows of a list hardly ever touch.
-        if (hn::AllFalse(D(), touch)) return;
-        const auto inverse_r = ReciprocalRoot(D(), r_squared);
-        // k (d - r)/r
-        const auto spring = hn::Mul(stiffness_, hn::MulSub(diameter_, inverse_r, hn::Set(D(), 1)));
-        const auto dvx = hn::Sub(i_.vx, j.vx);
-        const auto dvy = hn::Sub(i_.vy, j.vy);
-        if constexpr (Kind::damping == DampingDirection::full_vector &&
-                      Kind::tail == AttractiveTail::kept) {
-            AddWhere(touch, hn::MulSub(spring, dx, hn::Mul(damping_, dvx)),
-                     hn::MulSub(spring, dy, hn::Mul(damping_, dvy)));
-        } else {
-            // (v.n)/r and F_n/r
-            const auto approach =
-                hn::Mul(hn::MulAdd(dvx, dx, hn::Mul(dvy, dy)), hn::Mul(inverse_r, inverse_r));
-            auto normal = hn::NegMulAdd(damping_, approach, spring);
-            auto acts = touch;
-            if constexpr (Kind::tail == AttractiveTail::contact_force_cut) {
-                acts = hn::And(touch, hn::Ge(normal, hn::Zero(D())));
-            } else if constexpr (Kind::tail == AttractiveTail::normal_force_cut) {
-                normal = hn::Max(normal, hn::Zero(D()));
-            }
-            if constexpr (Kind::damping == DampingDirection::normal_only) {
-                AddWhere(acts, hn::Mul(normal, dx), hn::Mul(normal, dy));
-            } else {
-                const auto along_x = hn::NegMulAdd(approach, dx, dvx);
-                const auto along_y = hn::NegMulAdd(approach, dy, dvy);
-                AddWhere(acts, hn::MulSub(normal, dx, hn::Mul(damping_, along_x)),
-                         hn::MulSub(normal, dy, hn::Mul(damping_, along_y)));
-            }
-        }
-    }
-
-  private:
-    HWY_INLINE void AddWhere(hn::Mask<D> acts, V x, V y) {
-        fx = hn::Add(fx, hn::IfThenElseZero(acts, x));
-        fy = hn::Add(fy, hn::IfThenElseZero(acts, y));
-    }
-
-    L i_;
-    V diameter_, diameter_squared_, stiffness_, damping_, unit_x_, unit_y_, period_,
-        inverse_period_;
-
-  public:
-    V fx, fy;  ///< sums so far
-};
 
 /// Adds the plates' forces (plates.hpp), and the lid's overlaps to those of the block.
 template <class Format>
@@ -257,63 +178,6 @@ void ForceStep(const StepTask<typename Kind::Format>& task) {
         i.StoreGroup(task.out + first);
     }
     watch.Tell();
-}
-
-/// Smallest and largest of all lanes seen.
-template <class D>
-class Extremes {
-  public:
-    HWY_INLINE explicit Extremes(hn::Vec<D> first) : low_(first), high_(first) {}
-    HWY_INLINE void Look(hn::Vec<D> v) {
-        low_ = hn::Min(low_, v);
-        high_ = hn::Max(high_, v);
-    }
-    [[nodiscard]] HWY_INLINE Survey::Range Range() const {
-        return {static_cast<double>(hn::GetLane(hn::MinOfLanes(D(), low_))),
-                static_cast<double>(hn::GetLane(hn::MaxOfLanes(D(), high_)))};
-    }
-
-  private:
-    hn::Vec<D> low_, high_;
-};
-
-template <class Format>
-Survey SurveyGroups(const SurveyTask<Format>& task) {
-    using L = Lanes<Format>;
-    using D = typename L::D;
-    const D d;
-    const auto unit_x = hn::Set(d, task.constants->unit_x);
-    const auto unit_y = hn::Set(d, task.constants->unit_y);
-    const auto centre_x = hn::Set(d, task.centre_x);
-    const auto centre_y = hn::Set(d, task.centre_y);
-    const L first = L::LoadGroup(task.now + task.first_group * hn::Lanes(d));
-    const L listed_first = L::LoadGroup(task.listed + task.first_group * hn::Lanes(d));
-    Extremes<D> x(L::Separation(first.x, listed_first.x, unit_x));
-    Extremes<D> y(L::Separation(first.y, listed_first.y, unit_y));
-    Extremes<D> vx(first.vx), vy(first.vy), distance(hn::Zero(d));
-    auto finite = hn::Eq(hn::Zero(d), hn::Zero(d));
-    for (std::size_t group = task.first_group; group < task.last_group; ++group) {
-        const L now = L::LoadGroup(task.now + group * hn::Lanes(d));
-        const L listed = L::LoadGroup(task.listed + group * hn::Lanes(d));
-        const auto dx = L::Separation(now.x, listed.x, unit_x);
-        const auto dy = L::Separation(now.y, listed.y, unit_y);
-        x.Look(dx);
-        y.Look(dy);
-        vx.Look(now.vx);
-        vy.Look(now.vy);
-        const auto off_x = hn::Sub(dx, centre_x);
-        const auto off_y = hn::Sub(dy, centre_y);
-        distance.Look(hn::MulAdd(off_x, off_x, hn::Mul(off_y, off_y)));
-        // v - v is zero but for infinities and what is no number.
-        const auto rest = hn::Add(hn::Sub(now.vx, now.vx), hn::Sub(now.vy, now.vy));
-        finite = hn::And(finite, hn::Eq(rest, hn::Zero(d)));
-    }
-    return {.x = x.Range(),
-            .y = y.Range(),
-            .vx = vx.Range(),
-            .vy = vy.Range(),
-            .largest_distance_squared = distance.Range().high,
-            .finite = hn::AllTrue(d, finite)};
 }
 
 template <class Kind>

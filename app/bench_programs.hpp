@@ -1,0 +1,27 @@
+// Foreign codes as contenders of a bench. The time of a short run is taken off that of a long one:
+// what is left is steps.
+#pragma once
+
+#include "adapters/code.hpp"
+#include "app/bench_round.hpp"
+
+#include <cstdint>
+#include <functional>
+
+namespace crossgrain::app {
+
+/// The scene to be run for so many steps.
+using SceneOf = std::function<scene::Scene(std::int64_t steps)>;
+
+[[nodiscard]] Contender program(const adapters::GrainCode& code, const BenchOptions& options,
+                                const SceneOf& scene, double share, int every);
+
+/// LAMMPS on so many MPI ranks. Tries several skins in its first turn and keeps to the best.
+[[nodiscard]] Contender lammps(const BenchOptions& options, const SceneOf& scene, int ranks,
+                               double share, int every);
+
+/// The programs that are here join the round; of those that are not, why.
+void add_programs(Round& round, const BenchOptions& options, const SceneOf& scene,
+                  BenchReport& report);
+
+}  // namespace crossgrain::app
