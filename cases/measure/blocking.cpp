@@ -28,14 +28,19 @@ std::optional<MeanWithError> converged_blocks(std::span<const double> series,
     return std::nullopt;
 }
 
-std::optional<MeanWithError> batch_means(std::span<const double> series) {
-    // What does not divide by six is left out of the error at the start of the series.
-    const std::size_t length = series.size() / batches;
-    const auto used = series.last(length * batches);
+std::vector<double> means_of_parts(std::span<const double> series, std::size_t parts) {
+    // What does not divide is left out of the error at the start of the series.
+    const std::size_t length = series.size() / parts;
+    const auto used = series.last(length * parts);
     std::vector<double> means;
-    for (std::size_t b = 0; b < batches; ++b) {
+    for (std::size_t b = 0; b < parts; ++b) {
         means.push_back(mean_with_error(used.subspan(b * length, length)).value);
     }
+    return means;
+}
+
+std::optional<MeanWithError> batch_means(std::span<const double> series) {
+    const std::vector<double> means = means_of_parts(series, batches);
     const MeanWithError error = mean_with_error(means);
     double squares = 0, successive = 0;
     for (std::size_t b = 0; b < batches; ++b) {
@@ -55,7 +60,7 @@ std::optional<BlockedMean> blocked_mean(std::span<const double> series) {
     if (naive.standard_error == 0) return BlockedMean{naive.value, 0.0, naive.n};
     auto error = converged_blocks(series, naive);
     if (!error) error = batch_means(series);
-    if (!error) return std::nullopt;
+    if (!error) error = mean_with_error(means_of_parts(series, 2));
     return BlockedMean{naive.value, error->standard_error, error->n};
 }
 

@@ -10,7 +10,8 @@
 // by luck. It is taken only while 16 blocks or more remain; otherwise the series is cut into six
 // equal batches whatever they look like (batch means; Law, Simulation Modeling and Analysis, 5th
 // ed. (2015), section 9.5.3), unless these drift: von Neumann's ratio of the mean squared
-// successive difference to the variance is below 0.6 (independent batches: 15 in 1000).
+// successive difference to the variance is below 0.6 (independent batches: 15 in 1000). Then the
+// error is that of its two halves, which rests on one degree of freedom and claims little.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +26,8 @@ struct BlockedMean {
     std::size_t blocks = 0;  ///< independent samples behind the error
 };
 
-/// Nothing for fewer than twelve values, or if six batches still drift: the run is too short for
-/// its correlation time. The error rests on blocks - 1 degrees of freedom. A constant series has
-/// standard error 0.
+/// Nothing for fewer than twelve values. The error rests on blocks - 1 degrees of freedom; with two
+/// blocks the run is too short for its correlation time. A constant series has standard error 0.
 [[nodiscard]] std::optional<BlockedMean> blocked_mean(std::span<const double> series);
 
 }  // namespace crossgrain::measure
