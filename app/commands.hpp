@@ -42,7 +42,19 @@ int run_benches(const Settings& settings, const std::vector<std::string>& names,
                 std::stop_token stop);
 /// Thresholds and maps of where methods stop working.
 int map_stability(const Settings& settings, const std::stop_token& stop);
+/// Runs the charted ladders, and writes cost against error as JSON, CSV and a page.
+int chart_cases(const Settings& settings, std::stop_token stop);
+
+struct AdviseRequest {
+    std::string observable;  ///< its name, or the beginning of several
+    double tolerance = 0;    ///< in the observable's unit, > 0
+};
+/// From the store alone; exit_run_failed says that the chart must be run first, exit_verdict that
+/// nothing charted is within the tolerance.
+int advise_case(const Settings& settings, const AdviseRequest& request);
 /// Drift of every observable and cost over the store.
 int show_history(const Settings& settings);
+/// The same, of what left its band only.
+int show_regressions(const Settings& settings);
 
 }  // namespace crossgrain::app

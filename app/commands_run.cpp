@@ -128,18 +128,39 @@ int write_report(const Settings& settings, bool open) {
     return exit_ok;
 }
 
-int show_history(const Settings& settings) {
-    store::Store store(settings.results);
-    const auto history = history_of(store.history());
+namespace {
+
+int print_history(const Settings& settings, const std::vector<HistorySeries>& history) {
     if (settings.json) {
         fmt::print("{}\n", history_document(history).dump(2));
     } else {
         fmt::print("{}", history_table(history));
     }
-    for (const auto& series : history) {
-        if (series.drift == Drift::left_band) return exit_verdict;
+    const bool drifts = std::ranges::any_of(
+        history, [](const auto& series) { return series.drift == Drift::left_band; });
+    return drifts ? exit_verdict : exit_ok;
+}
+
+}  // namespace
+
+int show_history(const Settings& settings) {
+    store::Store store(settings.results);
+    return print_history(settings, history_of(store.history()));
+}
+
+int show_regressions(const Settings& settings) {
+    store::Store store(settings.results);
+    auto history = history_of(store.history());
+    const auto all = history.size();
+    const auto young = std::ranges::count(history, Drift::too_few, &HistorySeries::drift);
+    std::erase_if(history,
+                  [](const HistorySeries& series) { return series.drift != Drift::left_band; });
+    if (!settings.json && history.empty()) {
+        fmt::print("no regression in {} series ({} of them have too few entries to judge)\n", all,
+                   young);
+        return exit_ok;
     }
-    return exit_ok;
+    return print_history(settings, history);
 }
 
 }  // namespace crossgrain::app

@@ -52,6 +52,7 @@ struct Arguments {
     bool open = false;
     std::vector<std::string> benches;
     bool quick_bench = false;
+    app::AdviseRequest advise;
 };
 
 void add_selection(CLI::App& command, Arguments& arguments) {
@@ -128,6 +129,8 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     report->add_flag("--open", a.open, "show the page in a browser");
     add("history", "every observable and cost over the store; exit code 1 on drift",
         [](Arguments& x, auto) { return app::show_history(x.settings); });
+    add("regressions", "what left the band of its history; exit code 1 if anything did",
+        [](Arguments& x, auto) { return app::show_regressions(x.settings); });
     auto* bench = add("bench", "speed side by side, in one run", [](Arguments& x, auto stop) {
         return app::run_benches(x.settings, x.benches, x.quick_bench, std::move(stop));
     });
@@ -138,6 +141,20 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
             [](Arguments& x, const auto& stop) { return app::map_stability(x.settings, stop); });
     add_selection(*stability, a);
     add_execution(*stability, a);
+    auto* chart =
+        add("chart", "speed against accuracy: the ladders of cases",
+            [](Arguments& x, const auto& stop) { return app::chart_cases(x.settings, stop); });
+    add_selection(*chart, a);
+    add_execution(*chart, a);
+    auto* advise =
+        add("advise", "the cheapest way to an observable within a tolerance, from the chart",
+            [](Arguments& x, auto) { return app::advise_case(x.settings, x.advise); });
+    advise->add_option("CASE", a.settings.cases, "the case")->required()->expected(1);
+    advise->add_option("--observable", a.advise.observable, "its name, or the beginning of several")
+        ->required();
+    advise->add_option("--tolerance", a.advise.tolerance, "largest error, in the observable's unit")
+        ->required()
+        ->check(CLI::PositiveNumber);
     auto* validate = add("validate", "run a suite, judge it, write the report",
                          [](Arguments& x, std::stop_token stop) {
                              return app::validate(x.settings, std::move(stop));
@@ -145,17 +162,6 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     add_selection(*validate, a);
     add_execution(*validate, a);
     return actions;
-}
-
-/// Commands of the interface that do not exist yet are refused by name, not as a typing error.
-void refuse_future_commands(int argc, char** argv) {
-    constexpr std::array<std::string_view, 4> future{"chart", "advise", "regressions", "selftest"};
-    const auto* command =
-        std::find_if(argv + 1, argv + argc, [](const char* word) { return word[0] != '-'; });
-    if (command == argv + argc) return;
-    if (std::find(future.begin(), future.end(), *command) == future.end()) return;
-    throw CaseError({.problem = fmt::format("'{}' is not part of this version", *command),
-                     .hint = "see 'crossgrain --help' for the commands there are"});
 }
 
 /// validate, report and compare are about the quick suite unless told otherwise; the others about
@@ -183,7 +189,6 @@ int run_program(int argc, char** argv) {
         settings.command += i == 0 ? "crossgrain" : fmt::format(" {}", argv[i]);
     }
     const auto actions = add_commands(program, arguments);
-    refuse_future_commands(argc, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -13,8 +13,9 @@
 
 namespace crossgrain::catalog {
 
-/// Which part of the catalogue runs, and at which size. `quick` applies a case's [quick] table.
-enum class Suite { quick, full };
+/// Which part of the catalogue runs, and at which size. `quick` applies a case's [quick] table,
+/// `chart` its [chart] table: the ladder that is charted for cost and error.
+enum class Suite { quick, full, chart };
 
 /// An option of an observable as the case file gives it.
 struct Option {
@@ -67,9 +68,19 @@ struct Check {
     int line = 0;               ///< of the check in its file
 };
 
+/// What the error of a charted observable is measured from.
+struct ChartedError {
+    std::string observable;
+    std::string against;  ///< "analytic:..." or "converged:<variant of a native code>"
+    double margin = 0;    ///< beyond it a result is inaccurate, > 0
+    std::string reason;   ///< why this margin
+    int line = 0;
+};
+
 struct Variant {
-    std::string name;                             ///< empty if the case has one variant only
-    std::size_t rungs = 1;                        ///< time steps of its ladder
+    std::string name;       ///< empty if the case has one variant only
+    std::string drops;      ///< physics that this variant leaves out, e.g. "spins"; usually empty
+    std::size_t rungs = 1;  ///< time steps of its ladder
     std::vector<std::string> not_expressible_in;  ///< codes of which the catalogue knows it
     /// Keys of the sweep with this variant's values, in the sweep's order; empty without a sweep.
     std::vector<std::pair<std::string, std::string>> parameters;
@@ -94,10 +105,11 @@ class Case {
         "grains";  ///< "grains", "lattice-gas", "hopper-automaton", "synthetic-signal"
     std::string file;
     std::string failure_map;  ///< case whose sweep maps where this one's model fails; may be empty
-    std::vector<std::string> suites;  ///< "quick", "full"
+    std::vector<std::string> suites;  ///< "quick", "full", and "chart" if there is a [chart]
     std::vector<Variant> variants;    ///< at least one
     std::vector<ObservableRequest> observables;
-    std::vector<Check> checks;
+    std::vector<Check> checks;          ///< none in the chart suite
+    std::vector<ChartedError> charted;  ///< in the chart suite only
     Replicas replicas;
     double time_limit = 0;  ///< wall seconds per run
 

@@ -19,11 +19,11 @@ namespace crossgrain::catalog {
 using toml_input::Range;
 using toml_input::TomlTable;
 
-/// The parsed file and, per variant, the layers of [scene] from the top: variant, sweep, quick,
+/// The parsed file and, per variant, the layers of [scene] from the top: variant, sweep, suite,
 /// case. Variants are the points of the sweep, each in every written [[variant]].
 struct Case::Source {
     toml::table root;
-    bool quick = false;
+    const toml::table* suite = nullptr;  ///< [quick] or [chart], when it is that suite
     std::string file;
     std::string readings;
     Sweep sweep;
@@ -44,14 +44,54 @@ const toml::table* sub_table(const toml::table& parent, std::string_view key) {
     return node == nullptr ? nullptr : node->as_table();
 }
 
-std::vector<std::string> read_suites(const TomlTable& t) {
+std::vector<std::string> read_suites(const TomlTable& t, const toml::table& root) {
     auto suites = t.texts("suites");
     for (const auto& suite : suites) {
         if (suite == "quick" || suite == "full") continue;
         throw t.error("suites", "names an unknown suite", fmt::format("\"{}\"", suite),
                       "\"quick\", \"full\" or both");
     }
+    if (sub_table(root, "chart") != nullptr) suites.emplace_back("chart");
     return suites;
+}
+
+/// The table laid over the case in a suite.
+const char* layer_of(Suite suite) {
+    switch (suite) {
+    case Suite::full:
+        break;
+    case Suite::quick:
+        return "quick";
+    case Suite::chart:
+        return "chart";
+    }
+    return "";
+}
+
+/// A chart has a ladder of its own; the quick suite other values of the case's keys.
+Sweep sweep_of(const Case::Source& source, Suite suite) {
+    const auto* base = sub_table(source.root, "sweep");
+    const auto* layered = source.suite == nullptr ? nullptr : sub_table(*source.suite, "sweep");
+    if (suite == Suite::chart) return read_sweep(layered, nullptr, source.file);
+    return read_sweep(base, layered, source.file);
+}
+
+std::vector<ChartedError> read_charted(const TomlTable& t) {
+    std::vector<ChartedError> charted;
+    for (const TomlTable& entry : t.tables("error")) {
+        charted.push_back({.observable = entry.text("observable"),
+                           .against = entry.text("against"),
+                           .margin = entry.number("margin", Range::positive()),
+                           .reason = entry.text("reason"),
+                           .line = entry.line()});
+        const std::string& against = charted.back().against;
+        if (!against.starts_with("analytic:") && !against.starts_with("converged:")) {
+            throw entry.error("against", "names no reference", fmt::format("\"{}\"", against),
+                              "\"analytic:...\" or \"converged:<variant>\"");
+        }
+        entry.reject_unknown_keys();
+    }
+    return charted;
 }
 
 Replicas read_replicas(const TomlTable& t) {
@@ -104,11 +144,12 @@ TomlTable Case::Source::scene_table(std::size_t variant) const {
         if (owner == nullptr) return;
         if (const auto* layer = sub_table(*owner, "scene")) layers.push_back(layer);
     };
-    if (const auto* entries = root.get("variant")) {
+    const bool own_variants = suite != nullptr && suite->contains("variant");
+    if (const auto* entries = (own_variants ? *suite : root).get("variant")) {
         if (const auto* array = entries->as_array()) add((*array)[variant % written].as_table());
     }
     layers.push_back(&sweep.points[variant / written].scene);
-    if (quick) add(sub_table(root, "quick"));
+    add(suite);
     add(&root);
     return {file, "scene", std::move(layers)};
 }
@@ -151,15 +192,18 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     auto source = std::make_shared<Case::Source>();
     source->root = toml_input::parse_toml_file(file);
     source->file = file;
-    source->quick = suite == Suite::quick;
     source->readings = readings;
-    std::vector<const toml::table*> layers{&source->root};
-    if (const auto* quick = sub_table(source->root, "quick"); quick != nullptr && source->quick) {
-        layers.insert(layers.begin(), quick);
+    source->suite = sub_table(source->root, layer_of(suite));
+    if (suite == Suite::chart && source->suite == nullptr) {
+        throw CaseError({.file = file,
+                         .key = "chart",
+                         .problem = "is missing",
+                         .expected = "a table with the ladder to be charted",
+                         .hint = "see cases/catalog/README.md"});
     }
-    source->sweep =
-        read_sweep(sub_table(source->root, "sweep"),
-                   layers.size() > 1 ? sub_table(*layers.front(), "sweep") : nullptr, file);
+    std::vector<const toml::table*> layers{&source->root};
+    if (source->suite != nullptr) layers.insert(layers.begin(), source->suite);
+    source->sweep = sweep_of(*source, suite);
     const TomlTable t(file, "", layers);
     Case result;
     result.file = file;
@@ -167,7 +211,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.title = t.text("title");
     result.source = t.text("source");
     result.text = t.text("text");
-    result.suites = read_suites(t);
+    result.suites = read_suites(t, source->root);
     result.time_limit = t.number("time_limit", Range::positive());
     if (t.has("model")) result.model = models[t.choice("model", models)];
     result.failure_map = t.optional_text("failure_map").value_or("");
@@ -177,7 +221,12 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.replicas = read_replicas(t.table("replicas"));
     result.observables = read_observables(t);
     result.checks = read_checks(t);
+    if (suite == Suite::chart) {
+        result.checks.clear();
+        result.charted = read_charted(t);
+    }
     (void)t.table("quick");
+    (void)t.table("chart");
     (void)t.table("scene");
     (void)t.table("sweep");
     for (std::size_t v = 0; v < result.variants.size(); ++v) {
@@ -192,9 +241,11 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.parsed = std::move(source);
     if (suite == Suite::full) check_variant_names(result);
     check_every_scene(result);
-    // What only the quick suite reads must not wait for it to be found wrong.
-    if (suite == Suite::full && result.parsed->root.contains("quick")) {
-        (void)load_case(file, Suite::quick, readings);
+    // What only another suite reads must not wait for it to be found wrong.
+    for (const Suite other : {Suite::quick, Suite::chart}) {
+        if (suite == Suite::full && result.parsed->root.contains(layer_of(other))) {
+            (void)load_case(file, other, readings);
+        }
     }
     return result;
 }

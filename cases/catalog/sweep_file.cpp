@@ -1,5 +1,7 @@
 #include "cases/catalog/sweep_file.hpp"
 
+#include "cases/scene/choices.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace {
 
 struct Axis {
     std::string key;
-    const toml::array* values = nullptr;
+    toml::array values;
     bool texts = false;
     toml::source_position place;
 };
@@ -31,7 +33,7 @@ std::string text_of(const toml::node& value) {
 
 void check_values(const std::string& file, const Axis& axis) {
     std::vector<std::string> seen;
-    for (const toml::node& value : *axis.values) {
+    for (const toml::node& value : axis.values) {
         const bool fits = axis.texts ? value.is_string() : value.is_number();
         if (!fits) {
             throw sweep_error(file, axis, "mixes texts and numbers, or has something else",
@@ -46,13 +48,24 @@ void check_values(const std::string& file, const Axis& axis) {
     }
 }
 
+/// ["*"]: all words that the key may have.
+bool is_wildcard(const toml::array& values) {
+    return values.size() == 1 && values.front().value_exact<std::string>() == "*";
+}
+
 Axis read_axis(const std::string& file, std::string_view key, const toml::node& node) {
     Axis axis{.key = std::string(key), .place = node.source().begin};
-    axis.values = node.as_array();
-    if (axis.values == nullptr || axis.values->empty()) {
+    const toml::array* values = node.as_array();
+    if (values == nullptr || values->empty()) {
         throw sweep_error(file, axis, "is not a list of values", "an array with at least one");
     }
-    axis.texts = axis.values->front().is_string();
+    axis.values = *values;
+    if (const auto all = scene::words_of(axis.key); is_wildcard(*values) && !all.empty()) {
+        axis.values = toml::array();
+        for (const std::string& word : all)
+            axis.values.push_back(word);
+    }
+    axis.texts = axis.values.front().is_string();
     check_values(file, axis);
     return axis;
 }
@@ -102,7 +115,7 @@ Sweep read_sweep(const toml::table* base, const toml::table* quick, const std::s
         sweep.lines[axis.key] = static_cast<int>(axis.place.line);
         std::vector<SweepPoint> next;
         for (const SweepPoint& point : sweep.points) {
-            for (const toml::node& value : *axis.values)
+            for (const toml::node& value : axis.values)
                 next.push_back(extended(point, axis, value));
         }
         sweep.points = std::move(next);

@@ -36,6 +36,7 @@ std::vector<Variant> read_written_variants(const TomlTable& t) {
         if (entry.has("not_expressible_in")) {
             variant.not_expressible_in = entry.texts("not_expressible_in");
         }
+        variant.drops = entry.optional_text("drops").value_or("");
         (void)entry.table("scene");  // read by Case::scene
         entry.reject_unknown_keys();
         const bool repeated =
@@ -47,7 +48,7 @@ std::vector<Variant> read_written_variants(const TomlTable& t) {
         }
         variants.push_back(std::move(variant));
     }
-    if (variants.empty()) variants.push_back({.name = "", .not_expressible_in = {}});
+    if (variants.empty()) variants.push_back({.name = "", .drops = {}, .not_expressible_in = {}});
     return variants;
 }
 

@@ -5,9 +5,8 @@
 #include "reports/web/document.hpp"
 
 namespace crossgrain::reports {
-namespace {
 
-std::string quoted(const std::string& text) {
+std::string csv_field(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string result = "\"";
     for (const char c : text) {
@@ -17,10 +16,12 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
+namespace {
+
 void append_row(std::string& csv, const std::vector<std::string>& fields) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
         if (i > 0) csv += ',';
-        csv += quoted(fields[i]);
+        csv += csv_field(fields[i]);
     }
     csv += '\n';
 }

@@ -7,6 +7,9 @@
 
 namespace crossgrain::reports {
 
+/// A text as one field: quoted if it must be.
+[[nodiscard]] std::string csv_field(const std::string& text);
+
 /// Columns: case, code, variant, observable, value, stderr, systematic, ci95_low, ci95_high, n,
 /// unit, settings ("key=value; ..."). Numbers keep all digits; not finite or missing is empty.
 [[nodiscard]] std::string measurements_csv(const nlohmann::json& document);

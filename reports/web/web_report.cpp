@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Without these the pages would open blank; every other asset is named by them.
-constexpr std::array<std::string_view, 4> required_assets{"index.html", "history.html", "style.css",
-                                                          "plotly-cartesian.min.js"};
+constexpr std::array<std::string_view, 5> required_assets{
+    "index.html", "history.html", "charts.html", "style.css", "plotly-cartesian.min.js"};
 
 void check_assets(const fs::path& assets) {
     for (const std::string_view name : required_assets) {
@@ -31,7 +31,7 @@ void check_assets(const fs::path& assets) {
 }
 
 bool is_data(const fs::path& path) {
-    return path.filename() == "data.js" || path.filename() == "history-data.js";
+    return path.filename() == "data.js" || path.filename().string().ends_with("-data.js");
 }
 
 void copy_assets(const fs::path& assets, const fs::path& directory) {
@@ -59,10 +59,7 @@ void remove_leftovers(const fs::path& folder, const std::string& extension,
         fs::remove(path, error);
 }
 
-}  // namespace
-
-void write_web_report(const nlohmann::json& document, const fs::path& directory,
-                      const fs::path& assets) {
+void prepare(const fs::path& directory, const fs::path& assets) {
     check_assets(assets);
     std::error_code error;
     fs::create_directories(directory, error);
@@ -71,6 +68,13 @@ void write_web_report(const nlohmann::json& document, const fs::path& directory,
                                 fmt::format("cannot create folder '{}'", directory.string()));
     // A report written where its assets are needs no copies.
     if (!fs::equivalent(assets, directory)) copy_assets(assets, directory);
+}
+
+}  // namespace
+
+void write_web_report(const nlohmann::json& document, const fs::path& directory,
+                      const fs::path& assets) {
+    prepare(directory, assets);
     const DocumentParts parts = split(document);
     std::set<fs::path> written;
     for (const auto& [file, bytes] : parts.files) {
@@ -82,6 +86,13 @@ void write_web_report(const nlohmann::json& document, const fs::path& directory,
     write_file_atomically(directory / "data.js", script("window.crossgrainReport", parts.overview));
     remove_leftovers(directory / "pictures", ".png", written);
     remove_leftovers(directory / "series", ".js", written);
+}
+
+void write_chart_page(const nlohmann::json& document, const fs::path& directory,
+                      const fs::path& assets) {
+    prepare(directory, assets);
+    write_file_atomically(directory / "charts-data.js",
+                          script("window.crossgrainReport", document));
 }
 
 }  // namespace crossgrain::reports

@@ -23,4 +23,8 @@ namespace crossgrain::reports {
 void write_web_report(const nlohmann::json& document, const std::filesystem::path& directory,
                       const std::filesystem::path& assets);
 
+/// Writes charts.html with its data, and what it shares with the other pages. Throws as above.
+void write_chart_page(const nlohmann::json& document, const std::filesystem::path& directory,
+                      const std::filesystem::path& assets);
+
 }  // namespace crossgrain::reports
