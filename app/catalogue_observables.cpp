@@ -46,13 +46,6 @@ EstimatorPointer make_lid_height(const Scene& scene, const ObservableRequest& re
         scene, measure::LidHeightOptions{.skip = number_or(request, "skip", 0)});
 }
 
-EstimatorPointer make_energy_balance(const Scene& scene, const ObservableRequest& request) {
-    measure::EnergyBalanceOptions options{.skip = number_or(request, "skip", 0)};
-    options.samples_per_frame =
-        static_cast<int>(number_or(request, "samples_per_frame", options.samples_per_frame));
-    return std::make_unique<measure::EnergyBalance>(scene, options);
-}
-
 std::vector<double> numbers_of(const ObservableRequest& request, const char* option) {
     const auto found = request.options.find(option);
     return found == request.options.end() ? std::vector<double>{} : found->second.numbers;
@@ -61,6 +54,16 @@ std::vector<double> numbers_of(const ObservableRequest& request, const char* opt
 std::optional<double> number_of(const ObservableRequest& request, const char* option) {
     const std::vector<double> numbers = numbers_of(request, option);
     return numbers.empty() ? std::nullopt : std::optional(numbers.front());
+}
+
+EstimatorPointer make_energy_balance(const Scene& scene, const ObservableRequest& request) {
+    measure::EnergyBalanceOptions options{.skip = number_or(request, "skip", 0)};
+    options.samples_per_frame =
+        static_cast<int>(number_or(request, "samples_per_frame", options.samples_per_frame));
+    options.accurate_within = number_of(request, "accurate_within");
+    // A map asks also what happens at time steps near the contact time.
+    if (options.accurate_within) options.least_frames_per_contact_time = 0;
+    return std::make_unique<measure::EnergyBalance>(scene, options);
 }
 
 EstimatorPointer make_velocity_spectrum(const Scene& scene, const ObservableRequest& request) {
@@ -126,7 +129,7 @@ const std::vector<GrainObservable>& grain_observables() {
         {"energy-balance",
          "energy_residual, mean_energy, mean_energy_input, mean_dissipation, energy_above_ground, "
          "input_per_period, energy_per_input; energies against time",
-         {"skip", "samples_per_frame"},
+         {"skip", "samples_per_frame", "accurate_within"},
          make_energy_balance},
         {"lid-height", "mean_lid_height; h(t), bottom and spacing", {"skip"}, make_lid_height},
         {"displacement-spectrum",

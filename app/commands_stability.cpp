@@ -26,6 +26,11 @@ bool holds_theory(const StabilityThreshold& threshold) {
 /// The state a run was found in, or why there is none.
 StabilityPoint point_of(const catalog::Variant& variant, const store::RunRecord& run) {
     StabilityPoint point{.code = run.code, .state = run.status, .detail = run.reason};
+    // A trajectory that left all bounds is what a map looks for.
+    if (run.status == "run_failed") {
+        const bool limited = run.reason.find("time limit") != std::string::npos;
+        point.state = limited ? "not finished" : "blow-up";
+    }
     for (const auto& [key, value] : variant.parameters) {
         try {
             point.at[key] = std::stod(value);
@@ -104,25 +109,38 @@ void print_report(const StabilityReport& report) {
     if (!points.empty()) fmt::print("{}", points.text());
 }
 
+/// States over the parameters of a case, in all codes that run it; kept in the store, so that a map
+/// that was stopped goes on where it was.
+void add_map(const Settings& settings, const std::stop_token& stop,
+             std::vector<StabilityReport>& reports) {
+    store::Store store(settings.results);
+    const auto session = run_session(settings, store, stop, true);
+    for (const auto& item : session.cases)
+        reports.push_back(states_of(item));
+}
+
 }  // namespace
 
 int map_stability(const Settings& settings, const std::stop_token& stop) {
     std::vector<StabilityReport> reports;
     int code = exit_ok;
-    for (const auto& the_case : selected_cases(settings)) {
-        if (the_case->model == "grains") {
-            reports.push_back(stability_dem(*the_case, settings, stop));
-            for (const auto& threshold : reports.back().thresholds) {
-                if (!holds_theory(threshold)) code = exit_verdict;
-            }
+    Settings whole = settings;
+    whole.map_axes.clear();
+    for (const auto& the_case : selected_cases(whole)) {
+        Settings one = settings;
+        if (the_case->model != "grains") {
+            one.cases = {the_case->failure_map.empty() ? the_case->file : the_case->failure_map};
+            add_map(one, stop, reports);
             continue;
         }
-        Settings one = settings;
-        one.cases = {the_case->failure_map.empty() ? the_case->file : the_case->failure_map};
-        store::Store store(settings.results);
-        const auto session = run_session(one, store, stop, true);
-        for (const auto& item : session.cases)
-            reports.push_back(states_of(item));
+        reports.push_back(stability_dem(*the_case, settings, stop));
+        for (const auto& threshold : reports.back().thresholds) {
+            if (!holds_theory(threshold)) code = exit_verdict;
+        }
+        if (settings.map_axes.empty()) continue;
+        one.cases = {the_case->file};
+        one.suite = catalog::Suite::map;
+        add_map(one, stop, reports);
     }
     if (settings.json) {
         json all = json::array();

@@ -141,6 +141,11 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
             [](Arguments& x, const auto& stop) { return app::map_stability(x.settings, stop); });
     add_selection(*stability, a);
     add_execution(*stability, a);
+    stability
+        ->add_option("--map", a.settings.map_axes,
+                     "states over two parameters of the case's map, e.g. dt,restitution")
+        ->delimiter(',')
+        ->expected(1, 2);
     auto* chart =
         add("chart", "speed against accuracy: the ladders of cases",
             [](Arguments& x, const auto& stop) { return app::chart_cases(x.settings, stop); });

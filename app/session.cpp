@@ -30,16 +30,38 @@ void warn(const scene::AnyScene& scene, const Settings& settings) {
         fmt::print(stderr, "warning: {}\n", line);
 }
 
+std::string name_of(catalog::Suite suite) {
+    switch (suite) {
+    case catalog::Suite::quick:
+        return "quick";
+    case catalog::Suite::full:
+        break;
+    case catalog::Suite::chart:
+        return "chart";
+    case catalog::Suite::map:
+        return "map";
+    }
+    return "full";
+}
+
+bool has_suite(const std::string& directory, const std::string& name, const std::string& suite) {
+    const auto whole = catalog::find_case(directory, name, catalog::Suite::full);
+    return std::ranges::find(whole.suites, suite) != whole.suites.end();
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings) {
     const std::string directory = (share_directory() / "catalog").string();
-    const std::string suite = settings.suite == catalog::Suite::quick ? "quick" : "full";
+    const std::string suite = name_of(settings.suite);
     std::vector<std::shared_ptr<const catalog::Case>> cases;
     const auto chosen = select_codes(settings.codes);
     const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;
     for (const auto& name : names) {
-        auto found = catalog::find_case(directory, name, settings.suite);
+        // Not every case has the tables of the suites for charts and maps.
+        const bool optional = settings.cases.empty() && suite != "quick" && suite != "full";
+        if (optional && !has_suite(directory, name, suite)) continue;
+        auto found = catalog::find_case(directory, name, settings.suite, settings.map_axes);
         const bool wanted =
             !settings.cases.empty() ||
             std::find(found.suites.begin(), found.suites.end(), suite) != found.suites.end();

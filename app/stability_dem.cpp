@@ -165,12 +165,6 @@ void add_thresholds(const Trial& trial, const Scene& given, StabilityReport& rep
     }
 }
 
-std::string state_of(double residual) {
-    constexpr double accurate = 0.01;
-    if (std::abs(residual) < accurate) return "ok";
-    return residual < 0 ? "energy gain" : "inaccurate";
-}
-
 void add_residual(const Trial& trial, Scene scene, double dt, StabilityReport& report) {
     scene.dt = dt;
     scene.frame_every = 1;
@@ -191,7 +185,7 @@ void add_residual(const Trial& trial, Scene scene, double dt, StabilityReport& r
         balance.finish(results);
         for (const auto& m : results.measurements) {
             if (m.observable != "energy_residual") continue;
-            point.state = state_of(m.value);
+            point.state = measure::energy_state(m.value, 0.01);
             point.detail = fmt::format("energy residual {:+.3g} %", 100 * m.value);
         }
     }

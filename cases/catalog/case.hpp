@@ -14,8 +14,9 @@
 namespace crossgrain::catalog {
 
 /// Which part of the catalogue runs, and at which size. `quick` applies a case's [quick] table,
-/// `chart` its [chart] table: the ladder that is charted for cost and error.
-enum class Suite { quick, full, chart };
+/// `chart` its [chart] table: the ladder that is charted for cost and error; `map` its [map] table:
+/// the parameters over which states are mapped.
+enum class Suite { quick, full, chart, map };
 
 /// An option of an observable as the case file gives it.
 struct Option {
@@ -108,7 +109,7 @@ class Case {
     std::vector<std::string> suites;  ///< "quick", "full", and "chart" if there is a [chart]
     std::vector<Variant> variants;    ///< at least one
     std::vector<ObservableRequest> observables;
-    std::vector<Check> checks;          ///< none in the chart suite
+    std::vector<Check> checks;          ///< of the quick and the full suite
     std::vector<ChartedError> charted;  ///< in the chart suite only
     Replicas replicas;
     double time_limit = 0;  ///< wall seconds per run
@@ -126,14 +127,16 @@ class Case {
 
 /// Reads a case file and checks all of it, including every variant's scene. `readings` is the
 /// directory of the shipped readings of the models' rules. Throws CaseError.
-[[nodiscard]] Case load_case(const std::string& file, Suite suite,
-                             const std::string& readings = "");
+/// `axes`: keys of a map of which all values are taken; empty for all.
+[[nodiscard]] Case load_case(const std::string& file, Suite suite, const std::string& readings = "",
+                             const std::vector<std::string>& axes = {});
 
 /// Names of the cases in a catalogue directory, sorted.
 [[nodiscard]] std::vector<std::string> case_names(const std::string& directory);
 
 /// A case by its name in the catalogue or by the path of a case file (anything with a '/' or that
 /// ends in ".toml"). Throws CaseError with the nearest name. Readings are in directory/readings.
-[[nodiscard]] Case find_case(const std::string& directory, const std::string& name, Suite suite);
+[[nodiscard]] Case find_case(const std::string& directory, const std::string& name, Suite suite,
+                             const std::vector<std::string>& axes = {});
 
 }  // namespace crossgrain::catalog

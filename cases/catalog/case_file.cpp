@@ -51,7 +51,9 @@ std::vector<std::string> read_suites(const TomlTable& t, const toml::table& root
         throw t.error("suites", "names an unknown suite", fmt::format("\"{}\"", suite),
                       "\"quick\", \"full\" or both");
     }
-    if (sub_table(root, "chart") != nullptr) suites.emplace_back("chart");
+    for (const char* other : {"chart", "map"}) {
+        if (sub_table(root, other) != nullptr) suites.emplace_back(other);
+    }
     return suites;
 }
 
@@ -64,16 +66,21 @@ const char* layer_of(Suite suite) {
         return "quick";
     case Suite::chart:
         return "chart";
+    case Suite::map:
+        return "map";
     }
     return "";
 }
 
-/// A chart has a ladder of its own; the quick suite other values of the case's keys.
-Sweep sweep_of(const Case::Source& source, Suite suite) {
+/// A chart and a map have ladders of their own; the quick suite has other values of the case's
+/// keys.
+Sweep sweep_of(const Case::Source& source, Suite suite, const std::vector<std::string>& axes) {
     const auto* base = sub_table(source.root, "sweep");
     const auto* layered = source.suite == nullptr ? nullptr : sub_table(*source.suite, "sweep");
-    if (suite == Suite::chart) return read_sweep(layered, nullptr, source.file);
-    return read_sweep(base, layered, source.file);
+    if (suite == Suite::chart || suite == Suite::map) {
+        return read_sweep(layered, nullptr, source.file, axes);
+    }
+    return read_sweep(base, layered, source.file, axes);
 }
 
 std::vector<ChartedError> read_charted(const TomlTable& t) {
@@ -188,22 +195,24 @@ scene::Scene Case::grain_scene(std::size_t variant, std::size_t rung, std::uint6
     return std::get<scene::Scene>(scene(variant, rung, seed));
 }
 
-Case load_case(const std::string& file, Suite suite, const std::string& readings) {
+Case load_case(const std::string& file, Suite suite, const std::string& readings,
+               const std::vector<std::string>& axes) {
     auto source = std::make_shared<Case::Source>();
     source->root = toml_input::parse_toml_file(file);
     source->file = file;
     source->readings = readings;
     source->suite = sub_table(source->root, layer_of(suite));
-    if (suite == Suite::chart && source->suite == nullptr) {
+    const bool needs_table = suite == Suite::chart || suite == Suite::map;
+    if (needs_table && source->suite == nullptr) {
         throw CaseError({.file = file,
-                         .key = "chart",
+                         .key = layer_of(suite),
                          .problem = "is missing",
-                         .expected = "a table with the ladder to be charted",
+                         .expected = fmt::format("a table [{}] with a sweep", layer_of(suite)),
                          .hint = "see cases/catalog/README.md"});
     }
     std::vector<const toml::table*> layers{&source->root};
     if (source->suite != nullptr) layers.insert(layers.begin(), source->suite);
-    source->sweep = sweep_of(*source, suite);
+    source->sweep = sweep_of(*source, suite, axes);
     const TomlTable t(file, "", layers);
     Case result;
     result.file = file;
@@ -221,12 +230,10 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.replicas = read_replicas(t.table("replicas"));
     result.observables = read_observables(t);
     result.checks = read_checks(t);
-    if (suite == Suite::chart) {
-        result.checks.clear();
-        result.charted = read_charted(t);
-    }
-    (void)t.table("quick");
-    (void)t.table("chart");
+    if (needs_table) result.checks.clear();
+    if (suite == Suite::chart) result.charted = read_charted(t);
+    for (const char* other : {"quick", "chart", "map"})
+        (void)t.table(other);
     (void)t.table("scene");
     (void)t.table("sweep");
     for (std::size_t v = 0; v < result.variants.size(); ++v) {
@@ -242,7 +249,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     if (suite == Suite::full) check_variant_names(result);
     check_every_scene(result);
     // What only another suite reads must not wait for it to be found wrong.
-    for (const Suite other : {Suite::quick, Suite::chart}) {
+    for (const Suite other : {Suite::quick, Suite::chart, Suite::map}) {
         if (suite == Suite::full && result.parsed->root.contains(layer_of(other))) {
             (void)load_case(file, other, readings);
         }
@@ -259,10 +266,11 @@ std::vector<std::string> case_names(const std::string& directory) {
     return names;
 }
 
-Case find_case(const std::string& directory, const std::string& name, Suite suite) {
+Case find_case(const std::string& directory, const std::string& name, Suite suite,
+               const std::vector<std::string>& axes) {
     const std::string readings = (std::filesystem::path(directory) / "readings").string();
     if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
-        return load_case(name, suite, readings);
+        return load_case(name, suite, readings, axes);
     }
     const std::vector<std::string> names = case_names(directory);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -273,7 +281,7 @@ Case find_case(const std::string& directory, const std::string& name, Suite suit
                          .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
     }
     return load_case((std::filesystem::path(directory) / (name + ".toml")).string(), suite,
-                     readings);
+                     readings, axes);
 }
 
 }  // namespace crossgrain::catalog

@@ -3,6 +3,7 @@
 #include "cases/scene/choices.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -70,10 +71,21 @@ Axis read_axis(const std::string& file, std::string_view key, const toml::node& 
     return axis;
 }
 
+void add_axes(const toml::table& table, const std::string& prefix, const std::string& file,
+              std::vector<Axis>& axes) {
+    for (const auto& [key, node] : table) {
+        const std::string name = prefix + std::string(key.str());
+        if (const auto* deeper = node.as_table()) {
+            add_axes(*deeper, name + ".", file, axes);
+        } else {
+            axes.push_back(read_axis(file, name, node));
+        }
+    }
+}
+
 std::vector<Axis> read_axes(const toml::table& table, const std::string& file) {
     std::vector<Axis> axes;
-    for (const auto& [key, node] : table)
-        axes.push_back(read_axis(file, key.str(), node));
+    add_axes(table, "", file, axes);
     std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
         if (a.texts != b.texts) return a.texts;
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -82,8 +94,7 @@ std::vector<Axis> read_axes(const toml::table& table, const std::string& file) {
 }
 
 void lay_over(std::vector<Axis>& axes, const toml::table& quick, const std::string& file) {
-    for (const auto& [key, node] : quick) {
-        Axis upper = read_axis(file, key.str(), node);
+    for (Axis& upper : read_axes(quick, file)) {
         const auto lower = std::find_if(axes.begin(), axes.end(),
                                         [&](const Axis& a) { return a.key == upper.key; });
         if (lower == axes.end()) {
@@ -94,23 +105,56 @@ void lay_over(std::vector<Axis>& axes, const toml::table& quick, const std::stri
     }
 }
 
+/// "restitution" of "contact.restitution".
+std::string short_name(const Axis& axis) {
+    return axis.key.substr(axis.key.rfind('.') + 1);
+}
+
 SweepPoint extended(const SweepPoint& point, const Axis& axis, const toml::node& value) {
     SweepPoint next = point;
     const std::string text = text_of(value);
     next.name += next.name.empty() ? "" : "/";
-    next.name += axis.texts ? text : fmt::format("{}={}", axis.key, text);
-    next.parameters.emplace_back(axis.key, text);
-    value.visit([&](const auto& node) { next.scene.insert_or_assign(axis.key, node); });
+    next.name += axis.texts ? text : fmt::format("{}={}", short_name(axis), text);
+    next.parameters.emplace_back(short_name(axis), text);
+    toml::table* place = &next.scene;
+    std::string_view key = axis.key;
+    for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
+        place = place->insert(key.substr(0, dot), toml::table{}).first->second.as_table();
+        key.remove_prefix(dot + 1);
+    }
+    value.visit([&](const auto& node) { place->insert_or_assign(key, node); });
     return next;
+}
+
+/// Numbers along other keys stay at their first value.
+void keep_only(const std::vector<std::string>& keys, const std::string& file,
+               std::vector<Axis>& axes) {
+    for (const std::string& key : keys) {
+        std::vector<std::string> names;
+        for (const Axis& axis : axes)
+            if (!axis.texts) names.push_back(short_name(axis));
+        if (std::ranges::find(names, key) != names.end()) continue;
+        throw CaseError({.file = file,
+                         .key = "--map",
+                         .problem = "names no axis of this case's map",
+                         .got = fmt::format("'{}'", key),
+                         .expected = fmt::format("two of {}", fmt::join(names, ", "))});
+    }
+    for (Axis& axis : axes) {
+        if (axis.texts || std::ranges::find(keys, short_name(axis)) != keys.end()) continue;
+        axis.values.erase(axis.values.begin() + 1, axis.values.end());
+    }
 }
 
 }  // namespace
 
-Sweep read_sweep(const toml::table* base, const toml::table* quick, const std::string& file) {
+Sweep read_sweep(const toml::table* base, const toml::table* quick, const std::string& file,
+                 const std::vector<std::string>& only) {
     Sweep sweep{.points = {SweepPoint{}}, .lines = {}};
     std::vector<Axis> axes;
     if (base != nullptr) axes = read_axes(*base, file);
     if (quick != nullptr) lay_over(axes, *quick, file);
+    if (!only.empty()) keep_only(only, file, axes);
     for (const Axis& axis : axes) {
         sweep.lines[axis.key] = static_cast<int>(axis.place.line);
         std::vector<SweepPoint> next;

@@ -24,9 +24,11 @@ struct Sweep {
 
 /// `base` is the case's own [sweep], `layered` the same with [quick.sweep] laid over it. Keys with
 /// texts come first, then those with numbers, each in the order of the file; the first changes
-/// slowest. Throws CaseError for an empty list, a value that is neither text nor number, a
-/// repeated value, or a quick key the base does not have.
+/// slowest. A key may be dotted ("contact.restitution"); its last part names it then. ["*"] stands
+/// for all words of a key (scene::words_of). With `only`, numbers along other keys than these stay
+/// at their first value. Throws CaseError for an empty list, a value that is neither text nor
+/// number, a repeated value, or a quick key the base does not have.
 [[nodiscard]] Sweep read_sweep(const toml::table* base, const toml::table* quick,
-                               const std::string& file);
+                               const std::string& file, const std::vector<std::string>& only = {});
 
 }  // namespace crossgrain::catalog

@@ -4,6 +4,8 @@
 #include "cases/measure/plate_motion.hpp"
 #include "cases/measure/time_mean.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -280,6 +282,11 @@ void EnergyBalance::add_series(Results& results) const {
     results.series.push_back(std::move(series));
 }
 
+std::string energy_state(double residual, double accurate_within) {
+    if (std::abs(residual) < accurate_within) return "ok";
+    return residual < 0 ? "energy gain" : "inaccurate";
+}
+
 void EnergyBalance::finish(Results& results) {
     if (!applicable_ || samples_.size() < 3) return;
     const std::size_t last = samples_.size() - 1;
@@ -294,6 +301,13 @@ void EnergyBalance::finish(Results& results) {
              .value = balance.residual() / unit,
              .systematic = std::abs(coarsening) / unit,
              .settings = {{"samples_per_contact_time", samples_per_contact_time_}}});
+        if (options_.accurate_within) {
+            const double residual = balance.residual() / unit;
+            results.findings.push_back(
+                {.name = "state",
+                 .label = energy_state(residual, *options_.accurate_within),
+                 .detail = fmt::format("energy residual {:+.3g} %", 100 * residual)});
+        }
     }
     add_averages(results);
     add_series(results);

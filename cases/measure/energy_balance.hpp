@@ -37,7 +37,13 @@ struct EnergyBalanceOptions {
     double skip = 0;  ///< time (t) left out of the averages at the start; the balance keeps it
     int samples_per_frame = 1;                  ///< >= 1
     double least_frames_per_contact_time = 10;  ///< below it nothing is measured
+    /// Largest |energy_residual| of a run that is called accurate, > 0; nothing is called so
+    /// without.
+    std::optional<double> accurate_within = {};
 };
+
+/// "ok" within the limit, "energy gain" beyond it below zero, else "inaccurate": energy is lost.
+[[nodiscard]] std::string energy_state(double residual, double accurate_within);
 
 /// Measurements: `energy_residual` (1), one number per run, setting samples_per_contact_time;
 /// and `mean_energy` (m l^2/t^2), `mean_energy_input` and `mean_dissipation` (m l^2/t^3; powers),
@@ -49,6 +55,7 @@ struct EnergyBalanceOptions {
 ///                        sqrt(3)/2 d apart, a free lid on the highest (m l^2/t^2)
 ///   input_per_period     mean_energy_input times the period (m l^2/t^2)
 ///   energy_per_input     the ratio of the two (1): about 1 by Taguchi's section 4
+/// Finding "state", if asked for: energy_state().
 /// Series "energy": t, kinetic, gravity, elastic, input, dissipated (the last two cumulated), at
 /// most 2000 rows.
 ///
