@@ -53,12 +53,17 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_a_hint) {
     BOOST_TEST(crossgrain({}).status == 2);
 }
 
-BOOST_AUTO_TEST_CASE(commands_of_later_versions_say_so) {
+BOOST_AUTO_TEST_CASE(advice_needs_a_chart_and_says_which) {
     const Program crossgrain;
-    for (const char* name : {"chart", "advise", "regressions", "selftest"}) {
-        check_refused(crossgrain({name}), {name, "not part of this version"});
-    }
-    BOOST_TEST(!crossgrain({"--help"}).says("advise"));
+    const Answer answer = crossgrain({"advise", "collision-normal", "--observable", "restitution",
+                                      "--tolerance", "0.01", "--quiet"});
+    BOOST_TEST(answer.status == 3);
+    BOOST_TEST(answer.error_lines() == 1);
+    BOOST_TEST(answer.says("run 'crossgrain chart collision-normal' first"));
+    check_refused(crossgrain({"chart", "wall-bounce"}),
+                  {"wall-bounce.toml", "chart", "is missing"});
+    check_refused(crossgrain({"stability", "pipe-gas-fig6", "--map", "density,colour"}),
+                  {"--map", "'colour'", "density"});
 }
 
 BOOST_AUTO_TEST_CASE(a_second_run_computes_nothing_and_prints_the_same) {

@@ -54,6 +54,44 @@ BOOST_AUTO_TEST_CASE(the_quick_suite_replaces_the_values_of_a_key) {
     BOOST_TEST(c.grain_scene(1, 0, 1).dt == 4e-3);
 }
 
+BOOST_AUTO_TEST_CASE(keys_inside_tables_and_all_words_of_a_key_can_be_swept) {
+    const auto c = load(case_text + "[sweep]\ncontact.restitution = [0.5, 0.9]\n"
+                                    "precision = [\"*\"]\n");
+    BOOST_TEST_REQUIRE(c.variants.size() == 4u);
+    BOOST_TEST(c.variants[1].name == "double/restitution=0.9");
+    BOOST_TEST(c.variants[2].name == "mixed/restitution=0.5");
+    BOOST_TEST(c.variants[2].parameter("restitution").value() == "0.5");
+    BOOST_TEST(c.grain_scene(0, 0, 1).contact.damping > c.grain_scene(1, 0, 1).contact.damping);
+    BOOST_TEST((c.grain_scene(2, 0, 1).precision == scene::Precision::mixed));
+}
+
+BOOST_AUTO_TEST_CASE(a_chart_has_a_ladder_and_variants_of_its_own) {
+    const std::string text = swept + R"([chart.sweep]
+dt = [5e-3]
+[[chart.variant]]
+name = "soft"
+drops = "stiffness"
+scene.contact.contact_time = 0.4
+[[chart.error]]
+observable = "momentum_drift_x"
+against = "analytic:zero"
+margin = 1.0
+reason = "a test"
+)";
+    const auto c = load(text, Suite::chart);
+    BOOST_TEST_REQUIRE(c.variants.size() == 1u);
+    BOOST_TEST(c.variants[0].name == "dt=0.005/soft");
+    BOOST_TEST(c.variants[0].drops == "stiffness");
+    BOOST_TEST(contact_time(c.grain_scene(0, 0, 1)) > 0.3);
+    BOOST_TEST(c.checks.empty());
+    BOOST_TEST_REQUIRE(c.charted.size() == 1u);
+    BOOST_TEST(c.charted[0].margin == 1.0);
+    // The case itself knows nothing of it.
+    BOOST_TEST(load(text).variants.size() == 4u);
+    BOOST_TEST(refusal_of(replaced(text, "analytic:zero\"\nmargin", "paper\"\nmargin")).key ==
+               "error.against");
+}
+
 BOOST_AUTO_TEST_CASE(written_variants_are_crossed_with_the_sweep) {
     const auto c = load(swept + "[[variant]]\nname = \"hard\"\nscene.contact.contact_time = 0.05\n"
                                 "[[variant]]\nname = \"soft\"\n");
