@@ -109,6 +109,11 @@ void print_report(const StabilityReport& report) {
     if (!points.empty()) fmt::print("{}", points.text());
 }
 
+/// The case whose sweep maps where this one fails: itself unless it names another.
+std::string map_of(const catalog::Case& the_case) {
+    return the_case.failure_map.empty() ? the_case.file : the_case.failure_map;
+}
+
 /// States over the parameters of a case, in all codes that run it; kept in the store, so that a map
 /// that was stopped goes on where it was.
 void add_map(const Settings& settings, const std::stop_token& stop,
@@ -129,7 +134,7 @@ int map_stability(const Settings& settings, const std::stop_token& stop) {
     for (const auto& the_case : selected_cases(whole)) {
         Settings one = settings;
         if (the_case->model != "grains") {
-            one.cases = {the_case->failure_map.empty() ? the_case->file : the_case->failure_map};
+            one.cases = {map_of(*the_case)};
             add_map(one, stop, reports);
             continue;
         }
@@ -138,8 +143,7 @@ int map_stability(const Settings& settings, const std::stop_token& stop) {
             if (!holds_theory(threshold)) code = exit_verdict;
         }
         if (settings.map_axes.empty()) continue;
-        one.cases = {the_case->file};
-        one.suite = catalog::Suite::map;
+        one.cases = {map_of(*the_case)};
         add_map(one, stop, reports);
     }
     if (settings.json) {

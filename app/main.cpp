@@ -143,7 +143,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     add_execution(*stability, a);
     stability
         ->add_option("--map", a.settings.map_axes,
-                     "states over two parameters of the case's map, e.g. dt,restitution")
+                     "states over two parameters of the case's failure map, e.g. dt,restitution")
         ->delimiter(',')
         ->expected(1, 2);
     auto* chart =

@@ -38,8 +38,6 @@ std::string name_of(catalog::Suite suite) {
         break;
     case catalog::Suite::chart:
         return "chart";
-    case catalog::Suite::map:
-        return "map";
     }
     return "full";
 }
@@ -58,7 +56,7 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
     const auto chosen = select_codes(settings.codes);
     const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;
     for (const auto& name : names) {
-        // Not every case has the tables of the suites for charts and maps.
+        // Not every case is charted.
         const bool optional = settings.cases.empty() && suite != "quick" && suite != "full";
         if (optional && !has_suite(directory, name, suite)) continue;
         auto found = catalog::find_case(directory, name, settings.suite, settings.map_axes);

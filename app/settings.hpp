@@ -16,7 +16,7 @@ struct Settings {
     bool json = false;
     bool quiet = false;
     catalog::Suite suite = catalog::Suite::full;
-    std::vector<std::string> map_axes;     ///< of the map suite; empty: all its parameters
+    std::vector<std::string> map_axes;     ///< keys of a failure map's sweep; empty: all
     std::vector<std::string> cases;        ///< empty: all of the suite
     std::vector<std::string> codes;        ///< empty: all
     std::optional<std::int64_t> replicas;  ///< overrides the case

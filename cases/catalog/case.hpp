@@ -14,9 +14,8 @@
 namespace crossgrain::catalog {
 
 /// Which part of the catalogue runs, and at which size. `quick` applies a case's [quick] table,
-/// `chart` its [chart] table: the ladder that is charted for cost and error; `map` its [map] table:
-/// the parameters over which states are mapped.
-enum class Suite { quick, full, chart, map };
+/// `chart` its [chart] table: the ladder that is charted for cost and error.
+enum class Suite { quick, full, chart };
 
 /// An option of an observable as the case file gives it.
 struct Option {
@@ -127,7 +126,7 @@ class Case {
 
 /// Reads a case file and checks all of it, including every variant's scene. `readings` is the
 /// directory of the shipped readings of the models' rules. Throws CaseError.
-/// `axes`: keys of a map of which all values are taken; empty for all.
+/// `axes`: keys of the sweep of which all numbers are taken; empty for all.
 [[nodiscard]] Case load_case(const std::string& file, Suite suite, const std::string& readings = "",
                              const std::vector<std::string>& axes = {});
 

@@ -51,9 +51,7 @@ std::vector<std::string> read_suites(const TomlTable& t, const toml::table& root
         throw t.error("suites", "names an unknown suite", fmt::format("\"{}\"", suite),
                       "\"quick\", \"full\" or both");
     }
-    for (const char* other : {"chart", "map"}) {
-        if (sub_table(root, other) != nullptr) suites.emplace_back(other);
-    }
+    if (sub_table(root, "chart") != nullptr) suites.emplace_back("chart");
     return suites;
 }
 
@@ -66,20 +64,15 @@ const char* layer_of(Suite suite) {
         return "quick";
     case Suite::chart:
         return "chart";
-    case Suite::map:
-        return "map";
     }
     return "";
 }
 
-/// A chart and a map have ladders of their own; the quick suite has other values of the case's
-/// keys.
+/// A chart has a ladder of its own; the quick suite has other values of the case's keys.
 Sweep sweep_of(const Case::Source& source, Suite suite, const std::vector<std::string>& axes) {
     const auto* base = sub_table(source.root, "sweep");
     const auto* layered = source.suite == nullptr ? nullptr : sub_table(*source.suite, "sweep");
-    if (suite == Suite::chart || suite == Suite::map) {
-        return read_sweep(layered, nullptr, source.file, axes);
-    }
+    if (suite == Suite::chart) return read_sweep(layered, nullptr, source.file, axes);
     return read_sweep(base, layered, source.file, axes);
 }
 
@@ -202,8 +195,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     source->file = file;
     source->readings = readings;
     source->suite = sub_table(source->root, layer_of(suite));
-    const bool needs_table = suite == Suite::chart || suite == Suite::map;
-    if (needs_table && source->suite == nullptr) {
+    if (suite == Suite::chart && source->suite == nullptr) {
         throw CaseError({.file = file,
                          .key = layer_of(suite),
                          .problem = "is missing",
@@ -230,9 +222,11 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.replicas = read_replicas(t.table("replicas"));
     result.observables = read_observables(t);
     result.checks = read_checks(t);
-    if (needs_table) result.checks.clear();
-    if (suite == Suite::chart) result.charted = read_charted(t);
-    for (const char* other : {"quick", "chart", "map"})
+    if (suite == Suite::chart) {
+        result.checks.clear();
+        result.charted = read_charted(t);
+    }
+    for (const char* other : {"quick", "chart"})
         (void)t.table(other);
     (void)t.table("scene");
     (void)t.table("sweep");
@@ -249,7 +243,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     if (suite == Suite::full) check_variant_names(result);
     check_every_scene(result);
     // What only another suite reads must not wait for it to be found wrong.
-    for (const Suite other : {Suite::quick, Suite::chart, Suite::map}) {
+    for (const Suite other : {Suite::quick, Suite::chart}) {
         if (suite == Suite::full && result.parsed->root.contains(layer_of(other))) {
             (void)load_case(file, other, readings);
         }
