@@ -42,6 +42,12 @@ int run_benches(const Settings& settings, const std::vector<std::string>& names,
                 std::stop_token stop);
 /// Thresholds and maps of where methods stop working.
 int map_stability(const Settings& settings, const std::stop_token& stop);
+/// Error rates of the verdicts: false alarms, and defects planted on purpose.
+struct SelftestRequest {
+    std::filesystem::path defects;  ///< directory of the catalogue; empty: that of the source tree
+    bool quick = false;             ///< a small part of it
+};
+int selftest(const Settings& settings, const SelftestRequest& request, std::stop_token stop);
 /// Drift of every observable and cost over the store.
 int show_history(const Settings& settings);
 

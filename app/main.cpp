@@ -52,6 +52,7 @@ struct Arguments {
     bool open = false;
     std::vector<std::string> benches;
     bool quick_bench = false;
+    app::SelftestRequest selftest;
 };
 
 void add_selection(CLI::App& command, Arguments& arguments) {
@@ -138,6 +139,16 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
             [](Arguments& x, const auto& stop) { return app::map_stability(x.settings, stop); });
     add_selection(*stability, a);
     add_execution(*stability, a);
+    auto* selftest = add("selftest", "error rates of the verdicts: false alarms, planted defects",
+                         [](Arguments& x, std::stop_token stop) {
+                             return app::selftest(x.settings, x.selftest, std::move(stop));
+                         });
+    selftest->add_option("--defects", a.selftest.defects, "directory of defects and null cases")
+        ->check(CLI::ExistingDirectory);
+    selftest->add_flag("--quick", a.selftest.quick, "a small part: seconds, figures mean little");
+    selftest->add_option("--jobs", a.settings.jobs,
+                         "runs side by side (default: one per processor)");
+    selftest->add_flag("--fresh", a.settings.fresh, "compute again what the store already has");
     auto* validate = add("validate", "run a suite, judge it, write the report",
                          [](Arguments& x, std::stop_token stop) {
                              return app::validate(x.settings, std::move(stop));
@@ -149,7 +160,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
 
 /// Commands of the interface that do not exist yet are refused by name, not as a typing error.
 void refuse_future_commands(int argc, char** argv) {
-    constexpr std::array<std::string_view, 4> future{"chart", "advise", "regressions", "selftest"};
+    constexpr std::array<std::string_view, 3> future{"chart", "advise", "regressions"};
     const auto* command =
         std::find_if(argv + 1, argv + argc, [](const char* word) { return word[0] != '-'; });
     if (command == argv + argc) return;

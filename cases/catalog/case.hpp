@@ -67,6 +67,21 @@ struct Check {
     int line = 0;               ///< of the check in its file
 };
 
+/// What is fitted over the variants of a case: the exponent a of y ~ x^a or of 1/y ~ x^a;
+/// Beverloo's law y = C (x - k)^(3/2), or its exponent; the slope dy/dx at every inner variant.
+enum class FitLaw { exponent, inverse_exponent, outlet, outlet_exponent, local_slope };
+
+/// One measurement over the variants of a case.
+struct Fit {
+    std::string name;  ///< of the measurement
+    FitLaw law = FitLaw::exponent;
+    std::string observable;  ///< y
+    std::string along;       ///< x: a key of the sweep, a setting of y, or another measurement
+    bool tangent = false;    ///< x is the tangent of that, which is in degrees
+    std::optional<double> from, to;     ///< range of x, before any tangent
+    std::vector<std::string> variants;  ///< names or globs; empty: all
+};
+
 struct Variant {
     std::string name;                             ///< empty if the case has one variant only
     std::size_t rungs = 1;                        ///< time steps of its ladder
@@ -97,6 +112,7 @@ class Case {
     std::vector<std::string> suites;  ///< "quick", "full"
     std::vector<Variant> variants;    ///< at least one
     std::vector<ObservableRequest> observables;
+    std::vector<Fit> fits;
     std::vector<Check> checks;
     Replicas replicas;
     double time_limit = 0;  ///< wall seconds per run

@@ -8,7 +8,7 @@ namespace crossgrain::catalog {
 namespace {
 
 struct Axis {
-    std::string key;
+    std::string key;  ///< of [scene], with dots for one of its tables: "initial.angle"
     const toml::array* values = nullptr;
     bool texts = false;
     toml::source_position place;
@@ -81,13 +81,30 @@ void lay_over(std::vector<Axis>& axes, const toml::table& quick, const std::stri
     }
 }
 
+/// "angle" of "initial.angle".
+std::string short_name(const std::string& key) {
+    return key.substr(key.rfind('.') + 1);
+}
+
+/// Sets table.a.b = value for the key "a.b".
+void set_nested(toml::table& table, const std::string& key, const toml::node& value) {
+    const auto dot = key.find('.');
+    if (dot == std::string::npos) {
+        value.visit([&](const auto& node) { table.insert_or_assign(key, node); });
+        return;
+    }
+    auto& inner = *table.insert(key.substr(0, dot), toml::table{}).first->second.as_table();
+    set_nested(inner, key.substr(dot + 1), value);
+}
+
 SweepPoint extended(const SweepPoint& point, const Axis& axis, const toml::node& value) {
     SweepPoint next = point;
     const std::string text = text_of(value);
     next.name += next.name.empty() ? "" : "/";
-    next.name += axis.texts ? text : fmt::format("{}={}", axis.key, text);
-    next.parameters.emplace_back(axis.key, text);
-    value.visit([&](const auto& node) { next.scene.insert_or_assign(axis.key, node); });
+    const std::string name = short_name(axis.key);
+    next.name += axis.texts ? text : fmt::format("{}={}", name, text);
+    next.parameters.emplace_back(name, text);
+    set_nested(next.scene, axis.key, value);
     return next;
 }
 

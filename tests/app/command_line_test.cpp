@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_a_hint) {
 
 BOOST_AUTO_TEST_CASE(commands_of_later_versions_say_so) {
     const Program crossgrain;
-    for (const char* name : {"chart", "advise", "regressions", "selftest"}) {
+    for (const char* name : {"chart", "advise", "regressions"}) {
         check_refused(crossgrain({name}), {name, "not part of this version"});
     }
     BOOST_TEST(!crossgrain({"--help"}).says("advise"));
