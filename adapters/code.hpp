@@ -31,6 +31,8 @@ struct RunOptions {
     double time_limit = 0;            ///< wall seconds; the run is stopped when they are over, > 0
     std::stop_token stop;             ///< the user asked to stop
     bool keep_dump = false;           ///< also write the trajectory to <directory>/dump.txt
+    /// What a program is started with instead of `input(scene)`, e.g. edited by hand; empty: that.
+    std::vector<InputFile> input = {};
 };
 
 struct RunCost {

@@ -54,6 +54,7 @@ struct Bench {
 [[nodiscard]] const std::vector<Bench>& benches();
 
 [[nodiscard]] BenchReport bench_dem(const BenchOptions& options);
+[[nodiscard]] BenchReport bench_dem_friction(const BenchOptions& options);
 [[nodiscard]] BenchReport bench_lga(const BenchOptions& options);
 [[nodiscard]] BenchReport bench_hopper(const BenchOptions& options);
 

@@ -10,6 +10,9 @@ const std::vector<Bench>& benches() {
          bench_hopper},
         {"dem", "distinct elements: particle-steps per second, against LAMMPS, LIGGGHTS and YADE",
          bench_dem},
+        {"dem-friction",
+         "rotating grains with friction in a pipe and a hopper, against the other three codes",
+         bench_dem_friction},
     };
     return all;
 }

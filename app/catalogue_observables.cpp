@@ -11,6 +11,7 @@
 #include "cases/measure/plate_bounce.hpp"
 #include "cases/measure/trajectory.hpp"
 #include "cases/measure/velocity_spectrum.hpp"
+#include "cases/scene/preparation.hpp"
 
 #include <fmt/format.h>
 
@@ -112,45 +113,52 @@ EstimatorPointer make_plain(const Scene& scene, const ObservableRequest& /*no op
 }  // namespace
 
 const std::vector<GrainObservable>& grain_observables() {
-    static const std::vector<GrainObservable> all{
-        {"pair-collision",
-         "restitution, contact_time, speed_ratio, angular_momentum_ratio of isolated pairs",
-         {},
-         make_plain<measure::PairCollision>},
-        {"plate-bounce",
-         "plate_restitution, plate_contact_time, plate_momentum_error of isolated grains",
-         {},
-         make_plain<measure::PlateBounce>},
-        {"trajectory",
-         "positions at given times, compared between codes",
-         {"at_contact_times"},
-         make_trajectory},
-        {"momentum", "momentum_drift_x, momentum_drift_y", {}, make_plain<measure::Momentum>},
-        {"energy-balance",
-         "energy_residual, mean_energy, mean_energy_input, mean_dissipation, energy_above_ground, "
-         "input_per_period, energy_per_input; energies against time",
-         {"skip", "samples_per_frame", "accurate_within"},
-         make_energy_balance},
-        {"lid-height", "mean_lid_height; h(t), bottom and spacing", {"skip"}, make_lid_height},
-        {"displacement-spectrum",
-         "S(K, Y) by groups of layers, slope_..., slope_tail_..., displacement_vectors, the last "
-         "vector of every grain",
-         {"spacing", "skip", "crossing", "k_min", "k_max"},
-         make_displacement_spectrum},
-        {"velocity-spectrum",
-         "E(K, t) of a lattice at times, phases or over a window: velocity_slope_..., "
-         "transverse_energy_...; slopes against time",
-         {"clock", "at", "phases", "skip", "from", "to", "k_min", "k_max"},
-         make_velocity_spectrum},
-        {"lattice-order",
-         "foreign_contacts, lattice_kept_until: whether rows slid through each other",
-         {},
-         make_plain<measure::LatticeOrder>},
-        {"flow-depth",
-         "flow_depth, flowing_layers, lost_bonds of a vibrated bed; lost bonds by layer",
-         {"skip", "share"},
-         make_flow_depth},
-    };
+    static const std::vector<GrainObservable> all = [] {
+        std::vector<GrainObservable> entries{
+            {"pair-collision",
+             "restitution, contact_time, speed_ratio, angular_momentum_ratio of isolated pairs",
+             {},
+             make_plain<measure::PairCollision>},
+            {"plate-bounce",
+             "plate_restitution, plate_contact_time, plate_momentum_error of isolated grains",
+             {},
+             make_plain<measure::PlateBounce>},
+            {"trajectory",
+             "positions at given times, compared between codes",
+             {"at_contact_times"},
+             make_trajectory},
+            {"momentum", "momentum_drift_x, momentum_drift_y", {}, make_plain<measure::Momentum>},
+            {"energy-balance",
+             "energy_residual, mean_energy, mean_energy_input, mean_dissipation, "
+             "energy_above_ground, "
+             "input_per_period, energy_per_input; energies against time",
+             {"skip", "samples_per_frame", "accurate_within"},
+             make_energy_balance},
+            {"lid-height", "mean_lid_height; h(t), bottom and spacing", {"skip"}, make_lid_height},
+            {"displacement-spectrum",
+             "S(K, Y) by groups of layers, slope_..., slope_tail_..., displacement_vectors, the "
+             "last "
+             "vector of every grain",
+             {"spacing", "skip", "crossing", "k_min", "k_max"},
+             make_displacement_spectrum},
+            {"velocity-spectrum",
+             "E(K, t) of a lattice at times, phases or over a window: velocity_slope_..., "
+             "transverse_energy_...; slopes against time",
+             {"clock", "at", "phases", "skip", "from", "to", "k_min", "k_max"},
+             make_velocity_spectrum},
+            {"lattice-order",
+             "foreign_contacts, lattice_kept_until: whether rows slid through each other",
+             {},
+             make_plain<measure::LatticeOrder>},
+            {"flow-depth",
+             "flow_depth, flowing_layers, lost_bonds of a vibrated bed; lost bonds by layer",
+             {"skip", "share"},
+             make_flow_depth},
+        };
+        const auto& flow = flow_observables();
+        entries.insert(entries.end(), flow.begin(), flow.end());
+        return entries;
+    }();
     return all;
 }
 
@@ -168,8 +176,11 @@ std::vector<ObservableText> observable_texts() {
 
 void check_observables(const catalog::Case& the_case) {
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
-        std::visit([&](const auto& scene) { (void)make_estimators(the_case, scene); },
-                   the_case.scene(variant, 0, 1));
+        auto scene = the_case.scene(variant, 0, 1);
+        if (auto* grains = std::get_if<Scene>(&scene)) {
+            *grains = scene::without_removed(std::move(*grains));
+        }
+        std::visit([&](const auto& own) { (void)make_estimators(the_case, own); }, scene);
     }
 }
 

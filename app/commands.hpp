@@ -52,6 +52,12 @@ struct AdviseRequest {
 /// From the store alone; exit_run_failed says that the chart must be run first, exit_verdict that
 /// nothing charted is within the tolerance.
 int advise_case(const Settings& settings, const AdviseRequest& request);
+/// Error rates of the verdicts: false alarms, and defects planted on purpose.
+struct SelftestRequest {
+    std::filesystem::path defects;  ///< directory of the catalogue; empty: that of the source tree
+    bool quick = false;             ///< a small part of it
+};
+int selftest(const Settings& settings, const SelftestRequest& request, std::stop_token stop);
 /// Drift of every observable and cost over the store.
 int show_history(const Settings& settings);
 /// The same, of what left its band only.

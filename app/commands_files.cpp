@@ -6,6 +6,7 @@
 #include "app/evaluate.hpp"
 #include "app/model_runs.hpp"
 #include "app/plan.hpp"
+#include "app/preparation.hpp"
 #include "app/session.hpp"
 #include "app/tables.hpp"
 
@@ -49,8 +50,11 @@ std::size_t variant_index(const catalog::Case& the_case, const std::string& name
 
 /// Streams the dump through the same guard and the same estimators as any run.
 store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& request,
-                              std::size_t variant, std::uint64_t seed) {
-    const scene::Scene scene = the_case.grain_scene(variant, request.rung - 1, seed);
+                              std::size_t variant, const Settings& settings) {
+    const auto given = std::make_shared<const scene::AnyScene>(
+        the_case.scene(variant, request.rung - 1, settings.seed));
+    const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, {});
+    const auto& scene = std::get<scene::Scene>(*ready);
     const auto estimators = make_estimators(the_case, scene);
     scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
         for (const auto& estimator : estimators)
@@ -61,7 +65,7 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
                             .rung = request.rung - 1,
                             .code = request.name,
                             .version = "read from a dump",
-                            .seed = seed,
+                            .seed = settings.seed,
                             .created = store::utc_now()};
     record.settings_json = nlohmann::json{{"dump", request.dump.string()}}.dump();
     try {
@@ -89,6 +93,7 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
     const auto the_case = the_one_case(settings);
     int written = 0;
     std::string refusal;
+    Preparations preparations = preparations_in(settings);
     for (const auto& run : plan(*the_case, select_codes(settings.codes), settings)) {
         if (const auto reason = cannot_express(*run.code, *run.scene)) {
             fmt::print(stderr, "not_expressible: {}: {}\n", scene::name_of(*run.scene), *reason);
@@ -97,7 +102,8 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
         std::string name = fmt::format("{}-seed{}", scene::name_of(*run.scene), run.record.seed);
         std::replace(name.begin(), name.end(), '/', '-');
         std::filesystem::create_directories(out / name);
-        for (const auto& file : input_of(*run.code, *run.scene)) {
+        const auto ready = preparations.prepared(run.scene, run.time_limit, {});
+        for (const auto& file : input_of(*run.code, *ready)) {
             std::ofstream stream(out / name / file.name);
             stream << file.text;
             if (!stream.flush()) {
@@ -132,7 +138,7 @@ int read_dump(const Settings& settings, const ReadRequest& request) {
     Settings stored = settings;
     stored.codes.clear();
     auto session = run_session(stored, store, {}, false);
-    std::vector<store::RunRecord> records{measure_dump(*the_case, request, variant, settings.seed)};
+    std::vector<store::RunRecord> records{measure_dump(*the_case, request, variant, settings)};
     const bool failed = records.front().status != "ok";
     for (const auto& run : session.cases.front().runs.records()) {
         const bool sibling = run.status == "ok" && run.variant == records.front().variant;

@@ -2,8 +2,10 @@
 #include "adapters/process/find_program.hpp"
 #include "adapters/process/process.hpp"
 #include "app/commands.hpp"
+#include "app/compare_summary.hpp"
 #include "app/documents.hpp"
 #include "app/history.hpp"
+#include "app/models_table.hpp"
 #include "app/session.hpp"
 #include "app/tables.hpp"
 #include "reports/web/csv.hpp"
@@ -13,6 +15,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <system_error>
@@ -66,6 +69,20 @@ void write_report_files(const SessionReport& report, const store::Store& store,
     write("verdicts.csv", reports::verdicts_csv(document));
 }
 
+/// Names of phenomena among those of cases.
+struct Compared {
+    std::vector<std::string> cases, phenomena;
+};
+Compared split_phenomena(const std::vector<std::string>& names) {
+    const auto known = phenomenon_names(phenomena_directory());
+    Compared compared;
+    for (const auto& name : names) {
+        const bool found = std::ranges::find(known, name) != known.end();
+        (found ? compared.phenomena : compared.cases).push_back(name);
+    }
+    return compared;
+}
+
 void open_in_browser(const std::filesystem::path& page) {
     namespace process = adapters::process;
     const bool shown = process::find_program("xdg-open") &&
@@ -87,9 +104,35 @@ int run_cases(const Settings& settings, std::stop_token stop) {
 
 int compare_cases(const Settings& settings) {
     store::Store store(settings.results);
-    const auto report = run_session(settings, store, {}, false);
-    print_cases(report, settings);
-    return close_session(report, settings);
+    const auto [cases, phenomena] = split_phenomena(settings.cases);
+    nlohmann::json tables = nlohmann::json::array();
+    std::string text;
+    int code = exit_ok;
+    for (const auto& phenomenon : phenomena) {
+        const ModelsTable table = models_table(phenomenon, settings, store);
+        tables.push_back(json_of(table));
+        text += text_of(table) + "\n";
+    }
+    nlohmann::json document = {{"cases", nlohmann::json::array()}};
+    if (!cases.empty() || phenomena.empty()) {
+        Settings named = settings;
+        named.cases = cases;
+        const auto report = run_session(named, store, {}, false);
+        if (settings.json) {
+            document = cases_document(report);
+        } else {
+            print_cases(report, named);
+            fmt::print("\n{}", summary_tables(report));
+        }
+        code = close_session(report, named);
+    }
+    if (settings.json) {
+        if (!phenomena.empty()) document["phenomena"] = std::move(tables);
+        fmt::print("{}\n", document.dump(2));
+    } else {
+        fmt::print("{}", text);
+    }
+    return code;
 }
 
 int certify_cases(const Settings& settings, std::stop_token stop) {

@@ -1,6 +1,8 @@
 #include "app/documents.hpp"
 
 #include "app/catalogue.hpp"
+#include "app/compare_summary.hpp"
+#include "app/models_table.hpp"
 #include "reference/compare/parity.hpp"
 #include "reference/compare/student.hpp"
 #include "reports/store/results_json.hpp"
@@ -95,6 +97,8 @@ json verdict_json(const catalog::Case& the_case, const compare::Verdict& v) {
             {"limit_reason", v.limit_reason},
             {"verdict", compare::to_string(v.outcome)},
             {"expected", v.expected},
+            {"corrected", v.corrected ? json(compare::to_string(*v.corrected)) : json()},
+            {"more_replicas", v.more_replicas ? json(*v.more_replicas) : json()},
             {"reason", v.reason}};
 }
 
@@ -264,7 +268,7 @@ json cases_document(const SessionReport& report) {
     json cases = json::array();
     for (const auto& item : report.cases)
         cases.push_back(case_json(item));
-    return {{"cases", std::move(cases)}};
+    return {{"cases", std::move(cases)}, {"summary", summary_document(report)}};
 }
 
 json certificate_document(const SessionReport& report) {
@@ -327,6 +331,7 @@ json report_document(const SessionReport& report, const std::vector<HistorySerie
             {"codes", codes_document().at("codes")},
             {"cases", std::move(cases)},
             {"certificate", certificate_document(report)},
+            {"phenomena", phenomena_document(report.cases)},
             {"history", history_document(history)}};
 }
 

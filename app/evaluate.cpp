@@ -121,6 +121,7 @@ void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t var
 Evaluation evaluate(const CaseRuns& runs, const published::PublishedValues& literature) {
     Evaluation evaluation;
     collect_measurements(runs, evaluation);
+    evaluate_fits(runs, evaluation);
     for (const auto& check : runs.the_case().checks) {
         switch (check.kind) {
         case catalog::CheckKind::exact:

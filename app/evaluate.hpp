@@ -59,6 +59,10 @@ struct Evaluation {
 [[nodiscard]] Evaluation evaluate(const CaseRuns& runs,
                                   const published::PublishedValues& literature);
 
+/// Appends what the case fits over its variants: measurements without a variant, slopes with that
+/// at which they are taken.
+void evaluate_fits(const CaseRuns& runs, Evaluation& evaluation);
+
 // The parts, one per kind of check. Each appends to the evaluation.
 void evaluate_exact(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
 void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);

@@ -89,29 +89,59 @@ void add_check(const catalog::Check& check, const compare::Verdict& verdict,
     }
 }
 
+/// What the certificate calls a variant: "gas-friction/granular".
+std::string label(const catalog::Case& the_case, std::size_t variant) {
+    const std::string& name = the_case.variants[variant].name;
+    return name.empty() ? the_case.name : the_case.name + "/" + name;
+}
+
+/// A verdict's setting is its variant, and behind a comma where the difference is largest.
+bool is_of_variant(const compare::Verdict& verdict, const std::string& variant) {
+    return variant.empty() || verdict.setting == variant ||
+           verdict.setting.starts_with(variant + ", ");
+}
+
+CertificatePair certify(const CaseRuns& runs, const Evaluation& evaluation, std::size_t variant,
+                        const std::string& a, const std::string& b) {
+    const auto& the_case = runs.the_case();
+    const auto scene = the_case.grain_scene(variant, 0, 1);
+    CertificatePair pair{.case_name = label(the_case, variant),
+                         .a = a,
+                         .b = b,
+                         .contact_time = scene::contact_time(scene),
+                         .diameter = scene.grains.diameter,
+                         .outcome = Outcome::agree};
+    add_snapshots(runs, variant, pair);
+    for (const auto& [check, index] : evaluation.parity) {
+        const auto& verdict = evaluation.verdicts[index];
+        if (certifies(*check) && verdict.code == a && verdict.against == b &&
+            is_of_variant(verdict, the_case.variants[variant].name)) {
+            add_check(*check, verdict, pair);
+        }
+    }
+    return pair;
+}
+
+/// Of a law in several variants those pairs are left out of which it is known that one of the two
+/// does not have the variant.
+bool is_known_gap(const CertificatePair& pair, const catalog::Case& the_case) {
+    return the_case.variants.size() > 1 && pair.expected &&
+           pair.outcome == Outcome::not_expressible;
+}
+
 }  // namespace
 
 void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation) {
     const auto& the_case = runs.the_case();
     if (std::none_of(the_case.checks.begin(), the_case.checks.end(), certifies)) return;
-    const auto scene = the_case.grain_scene(0, 0, 1);
     const auto& codes = runs.codes();
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        for (std::size_t j = i + 1; j < codes.size(); ++j) {
-            CertificatePair pair{.case_name = the_case.name,
-                                 .a = codes[i],
-                                 .b = codes[j],
-                                 .contact_time = scene::contact_time(scene),
-                                 .diameter = scene.grains.diameter,
-                                 .outcome = Outcome::agree};
-            add_snapshots(runs, 0, pair);
-            for (const auto& [check, index] : evaluation.parity) {
-                const auto& verdict = evaluation.verdicts[index];
-                if (certifies(*check) && verdict.code == pair.a && verdict.against == pair.b) {
-                    add_check(*check, verdict, pair);
-                }
+    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+            for (std::size_t j = i + 1; j < codes.size(); ++j) {
+                auto pair = certify(runs, evaluation, variant, codes[i], codes[j]);
+                if (!is_known_gap(pair, the_case))
+                    evaluation.certificate.push_back(std::move(pair));
             }
-            evaluation.certificate.push_back(std::move(pair));
         }
     }
 }

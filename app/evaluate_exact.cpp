@@ -4,7 +4,7 @@
 #include "app/evaluate.hpp"
 
 #include "reference/compare/convergence.hpp"
-#include "reference/compare/equivalence.hpp"
+#include "reference/compare/equivalence_power.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +25,10 @@ struct Deviation {
     double error = 0;  ///< measured - exact
     compare::Combined combined;
 };
+
+double exact_of(const Deviation& deviation) {
+    return deviation.combined.measurement.value - deviation.error;
+}
 
 /// Measured minus exact for each time step of the ladder, or why there is none.
 struct Deviations {
@@ -115,10 +119,12 @@ std::vector<compare::Rung> pooled_rungs(const std::vector<Deviation>& deviations
 }
 
 void judge(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-           const compare::EquivalenceQuestion& question, compare::Verdict& verdict) {
+           const compare::EquivalenceQuestion& question, std::size_t replicas,
+           compare::Verdict& verdict) {
     const auto answer = compare::equivalence(question);
     verdict.difference = question.difference;
     verdict.uncertainty = answer.half_width_95;
+    compare::state_evidence(question, replicas, verdict);
     conclude(runs, check, variant, "", answer.outcome, answer.reason, verdict);
 }
 
@@ -128,12 +134,13 @@ void judge_values(const CaseRuns& runs, const catalog::Check& check, std::size_t
     for (const auto& deviation : rungs) {
         if (!(std::abs(deviation.error) <= std::abs(worst->error))) worst = &deviation;
     }
+    verdict.reference = exact_of(*worst);
     judge(runs, check, variant,
           {.difference = worst->error,
            .standard_error = worst->combined.measurement.standard_error,
            .degrees_of_freedom = worst->combined.degrees_of_freedom,
            .margin = check.limit},
-          verdict);
+          worst->combined.replicas, verdict);
 }
 
 void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
@@ -162,12 +169,13 @@ void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::s
         curve.limit = fit.limit.value;
         curve.limit_error = fit.limit.standard_error;
         const compare::Estimate& estimate = wants_order ? fit.order : fit.limit;
+        if (!wants_order) verdict.reference = exact_of(deviations.front());
         judge(runs, check, variant,
               {.difference = wants_order ? estimate.value - check.order : estimate.value,
                .standard_error = estimate.standard_error,
                .degrees_of_freedom = estimate.degrees_of_freedom,
                .margin = check.limit},
-              verdict);
+              deviations.front().combined.replicas, verdict);
         if (wants_order) evaluation.curves.push_back(std::move(curve));
     } catch (const std::invalid_argument& error) {
         conclude(runs, check, variant, "", Outcome::undecided, error.what(), verdict);

@@ -2,7 +2,7 @@
 // be the same within errors.
 #include "app/evaluate.hpp"
 
-#include "reference/compare/equivalence.hpp"
+#include "reference/compare/equivalence_power.hpp"
 #include "reference/compare/parity.hpp"
 #include "reference/compare/student.hpp"
 
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace crossgrain::app {
 namespace {
@@ -116,6 +117,36 @@ void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation
     }
 }
 
+/// Round-off that has grown to this length has gone through so many collisions that two programs
+/// that order their sums differently cannot be alike to the last bit.
+constexpr double grown = 1e-9;
+
+/// LIGGGHTS is a fork of LAMMPS: the same arithmetic in the same order may give the same bits.
+bool share_arithmetic(const std::string& a, const std::string& b) {
+    return (a == "lammps" && b == "liggghts") || (a == "liggghts" && b == "lammps");
+}
+
+/// Doubts pairs without any difference at a time at which round-off has grown between other codes:
+/// both read the same output. `judged`: verdicts of the check, with their variants.
+void doubt_identical(const CaseRuns& runs, const catalog::Check& check,
+                     const std::map<std::size_t, std::size_t>& judged, Evaluation& evaluation) {
+    if (!check.at_contact_times) return;
+    std::map<std::size_t, double> largest;  // by variant
+    for (const auto& [index, variant] : judged) {
+        largest[variant] = std::max(largest[variant], evaluation.verdicts[index].difference);
+    }
+    for (const auto& [index, variant] : judged) {
+        auto& verdict = evaluation.verdicts[index];
+        if (verdict.difference > 0 || largest[variant] < grown) continue;
+        if (share_arithmetic(verdict.code, verdict.against)) continue;
+        conclude(runs, check, variant, verdict.against, Outcome::disagree,
+                 fmt::format("the same to the last bit, where other codes differ by {:.1g}: do "
+                             "both read the same output?",
+                             largest[variant]),
+                 verdict);
+    }
+}
+
 std::string place_of(const catalog::Check& check) {
     if (check.at_contact_times) return fmt::format("t = {:g} t_col", *check.at_contact_times);
     if (check.from || check.to) {
@@ -129,6 +160,7 @@ std::string place_of(const catalog::Check& check) {
 
 void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
     const std::size_t first = evaluation.verdicts.size();
+    std::map<std::size_t, std::size_t> judged;
     for_each_pair(runs, check, evaluation,
                   [&](std::size_t variant, const std::string& a, const std::string& b,
                       compare::Verdict& verdict) {
@@ -141,11 +173,13 @@ void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluati
                                           "nothing to compare at the same place in both runs",
                                           verdict);
                       }
+                      judged[evaluation.verdicts.size()] = variant;
                       verdict.difference = *difference;
                       const bool same = *difference <= verdict.limit;
                       conclude(runs, check, variant, b, same ? Outcome::agree : Outcome::disagree,
                                same ? "" : "differs by more than round-off can explain", verdict);
                   });
+    doubt_identical(runs, check, judged, evaluation);
     for (std::size_t i = first; i < evaluation.verdicts.size(); ++i) {
         evaluation.parity.push_back({&check, i});
     }
@@ -163,14 +197,22 @@ void judge_equivalence(const CaseRuns& runs, const catalog::Check& check, std::s
     }
     const double error_a = a->measurement.standard_error;
     const double error_b = b->measurement.standard_error;
-    const auto answer =
-        compare::equivalence({.difference = a->measurement.value - b->measurement.value,
-                              .standard_error = std::hypot(error_a, error_b),
-                              .degrees_of_freedom = compare::welch_degrees_of_freedom(
-                                  error_a, a->degrees_of_freedom, error_b, b->degrees_of_freedom),
-                              .margin = verdict.limit});
+    const compare::EquivalenceQuestion question{
+        .difference = a->measurement.value - b->measurement.value,
+        .standard_error = std::hypot(error_a, error_b),
+        .degrees_of_freedom = compare::welch_degrees_of_freedom(error_a, a->degrees_of_freedom,
+                                                                error_b, b->degrees_of_freedom),
+        .margin = verdict.limit};
+    const auto answer = compare::equivalence(question);
+    compare::state_evidence(question, std::min(a->replicas, b->replicas), verdict);
     verdict.difference = a->measurement.value - b->measurement.value;
     verdict.uncertainty = answer.half_width_95;
+    if (!other.empty() && error_a > 0 && error_a == error_b && verdict.difference == 0) {
+        return conclude(runs, check, variant, other, Outcome::disagree,
+                        "value and error are the same to the last bit: do both codes read the "
+                        "same output?",
+                        verdict);
+    }
     conclude(runs, check, variant, other, answer.outcome, answer.reason, verdict);
 }
 

@@ -1,7 +1,7 @@
 // Checks against numbers of the literature.
 #include "app/evaluate.hpp"
 
-#include "reference/compare/equivalence.hpp"
+#include "reference/compare/equivalence_power.hpp"
 
 #include <fmt/format.h>
 
@@ -20,11 +20,15 @@ void judge(const CaseRuns& runs, const catalog::Check& check, std::size_t varian
                         fmt::format("'{}' was not measured", check.observable), verdict);
     }
     const auto& m = combined->measurement;
-    const auto answer =
-        compare::equivalence({.difference = m.value - reference.value,
-                              .standard_error = std::hypot(m.standard_error, reference.error),
-                              .degrees_of_freedom = combined->degrees_of_freedom,
-                              .margin = verdict.limit});
+    const compare::EquivalenceQuestion question{.difference = m.value - reference.value,
+                                                .standard_error =
+                                                    std::hypot(m.standard_error, reference.error),
+                                                .degrees_of_freedom = combined->degrees_of_freedom,
+                                                .margin = verdict.limit};
+    const auto answer = compare::equivalence(question);
+    compare::state_evidence(question, combined->replicas, verdict);
+    verdict.reference = reference.value;
+    verdict.reference_error = reference.error;
     verdict.difference = m.value - reference.value;
     verdict.uncertainty = answer.half_width_95;
     conclude(runs, check, variant, "", answer.outcome, answer.reason, verdict);

@@ -7,12 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <functional>
 #include <map>
 #include <stop_token>
-#include <string_view>
 #include <thread>
 
 namespace {
@@ -53,6 +51,7 @@ struct Arguments {
     std::vector<std::string> benches;
     bool quick_bench = false;
     app::AdviseRequest advise;
+    app::SelftestRequest selftest;
 };
 
 void add_selection(CLI::App& command, Arguments& arguments) {
@@ -160,6 +159,16 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     advise->add_option("--tolerance", a.advise.tolerance, "largest error, in the observable's unit")
         ->required()
         ->check(CLI::PositiveNumber);
+    auto* selftest = add("selftest", "error rates of the verdicts: false alarms, planted defects",
+                         [](Arguments& x, std::stop_token stop) {
+                             return app::selftest(x.settings, x.selftest, std::move(stop));
+                         });
+    selftest->add_option("--defects", a.selftest.defects, "directory of defects and null cases")
+        ->check(CLI::ExistingDirectory);
+    selftest->add_flag("--quick", a.selftest.quick, "a small part: seconds, figures mean little");
+    selftest->add_option("--jobs", a.settings.jobs,
+                         "runs side by side (default: one per processor)");
+    selftest->add_flag("--fresh", a.settings.fresh, "compute again what the store already has");
     auto* validate = add("validate", "run a suite, judge it, write the report",
                          [](Arguments& x, std::stop_token stop) {
                              return app::validate(x.settings, std::move(stop));

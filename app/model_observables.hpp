@@ -30,6 +30,8 @@ using GasObservable = ModelObservable<scene::GasSampling, scene::GasFrame>;
 using HopperObservable = ModelObservable<scene::HopperAutomaton, scene::HopperFrame>;
 
 [[nodiscard]] const std::vector<GrainObservable>& grain_observables();
+/// Those of grains in pipes and hoppers, which grain_observables() holds too.
+[[nodiscard]] const std::vector<GrainObservable>& flow_observables();
 [[nodiscard]] const std::vector<GasObservable>& gas_observables();
 [[nodiscard]] const std::vector<HopperObservable>& hopper_observables();
 

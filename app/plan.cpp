@@ -1,30 +1,16 @@
 #include "app/plan.hpp"
 
+#include "app/digest.hpp"
 #include "app/model_runs.hpp"
 #include "native/base/errors.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <openssl/evp.h>
 
 #include <algorithm>
-#include <array>
-#include <stdexcept>
 
 namespace crossgrain::app {
 namespace {
-
-std::string sha256(const std::string& text) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned length = 0;
-    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-        throw std::runtime_error("SHA-256 is not available in libcrypto");
-    }
-    std::string hex;
-    for (unsigned i = 0; i < length; ++i)
-        hex += fmt::format("{:02x}", digest[i]);
-    return hex;
-}
 
 nlohmann::json observables_json(const catalog::Case& the_case) {
     nlohmann::json all = nlohmann::json::array();

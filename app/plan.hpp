@@ -21,6 +21,7 @@ struct PlannedRun {
     std::size_t rung = 0;
     std::int64_t replica = 0;
     double time_limit = 0;  ///< wall seconds
+    std::string mark;       ///< tells runs of the same name apart, in directories and progress
     /// Everything but the results: key, names, settings; status is "planned", or says why there is
     /// nothing to run ("not_installed", "not_expressible").
     store::RunRecord record;

@@ -3,7 +3,9 @@
 #include "app/estimators.hpp"
 #include "app/expected_cost.hpp"
 #include "app/model_runs.hpp"
+#include "app/preparation.hpp"
 #include "app/progress.hpp"
+#include "cases/scene/lattice_guard.hpp"
 #include "native/base/errors.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +25,7 @@ namespace fs = std::filesystem;
 std::string label(const PlannedRun& run) {
     std::string text = fmt::format("{} {}", scene::name_of(*run.scene), run.record.code);
     if (run.replica > 0) text += fmt::format(" #{}", run.replica + 1);
+    if (!run.mark.empty()) text += " " + run.mark;
     return text;
 }
 
@@ -68,7 +71,8 @@ class Runner {
   public:
     Runner(std::vector<PlannedRun> runs, store::Store& store, const Settings& settings,
            std::stop_token stop)
-        : runs_(std::move(runs)), store_(store), settings_(settings), stop_(std::move(stop)) {}
+        : runs_(std::move(runs)), store_(store), settings_(settings), stop_(std::move(stop)),
+          preparations_(preparations_in(settings)) {}
 
     RunSummary carry_out(bool compute);
 
@@ -84,6 +88,7 @@ class Runner {
     store::Store& store_;
     const Settings& settings_;
     std::stop_token stop_;
+    Preparations preparations_;
     std::vector<PlannedRun*> waiting_;
     std::atomic<std::size_t> next_{0};
     std::mutex store_mutex_;
@@ -182,14 +187,18 @@ void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& p
                                        .time_limit = run.time_limit,
                                        .stop = stop_,
                                        .keep_dump = settings_.keep_dumps};
-    const auto cost = with_code(*run.code, *run.scene, [&](const auto& code, const auto& scene) {
+    const auto ready = preparations_.prepared(run.scene, run.time_limit, stop_);
+    const auto cost = with_code(*run.code, *ready, [&](const auto& code, const auto& scene) {
         const auto estimators = make_estimators(*run.owner, scene);
+        auto guard = crossgrain::scene::lattice_guard(scene);
         const auto sink = [&](const auto& frame) {
+            guard(frame);
             for (const auto& estimator : estimators)
                 estimator->add(frame);
             progress.advanced(name, seconds, progress_of(scene, frame));
         };
         const adapters::RunCost spent = code.run(scene, options, sink);
+        guard.finish();
         for (const auto& estimator : estimators)
             estimator->finish(run.record.results);
         return spent;

@@ -1,6 +1,7 @@
 #include "app/session.hpp"
 
 #include "app/catalogue.hpp"
+#include "app/compare_summary.hpp"
 #include "app/model_runs.hpp"
 #include "app/plan.hpp"
 #include "app/runner.hpp"
@@ -103,6 +104,7 @@ SessionReport run_session(const Settings& settings, store::Store& store, std::st
         Evaluation evaluation = evaluate(case_runs, literature);
         report.cases.push_back({the_case, std::move(case_runs), std::move(evaluation)});
     }
+    correct_for_many(report.cases);
     try {
         if (compute) record(report, settings, store);
     } catch (const store::StoreError& error) {

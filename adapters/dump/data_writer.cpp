@@ -57,8 +57,8 @@ std::string data_file(const scene::Scene& scene) {
     fmt::format_to(end, "\nAtoms\n\n");
     for (std::size_t i = 0; i < n; ++i) {
         fmt::format_to(end, "{} {} {:.17g} 1 {:.17g} {:.17g} 0\n", i + 1,
-                       is_frozen(i) ? types.frozen : types.grain, scene.grains.diameter, s.x[i],
-                       s.y[i]);
+                       is_frozen(i) ? types.frozen : types.grain, scene.grains.diameter_of(i),
+                       s.x[i], s.y[i]);
     }
     if (types.lid > 0) {
         // Above the first grain, where the box is; where along x does not matter.
@@ -68,8 +68,9 @@ std::string data_file(const scene::Scene& scene) {
     }
     fmt::format_to(end, "\nVelocities\n\n");
     for (std::size_t i = 0; i < n; ++i) {
-        fmt::format_to(end, "{} {:.17g} {:.17g} 0 0 0 0\n", i + 1, is_frozen(i) ? 0.0 : s.vx[i],
-                       is_frozen(i) ? 0.0 : s.vy[i]);
+        const double omega = is_frozen(i) || s.omega.empty() ? 0.0 : s.omega[i];
+        fmt::format_to(end, "{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", i + 1,
+                       is_frozen(i) ? 0.0 : s.vx[i], is_frozen(i) ? 0.0 : s.vy[i], omega);
     }
     if (types.lid > 0) {
         fmt::format_to(end, "{} 0 {:.17g} 0 0 0 0\n", n + 1,

@@ -19,7 +19,8 @@ struct AtomTypes {
 
 /// Atoms (style sphere alias granular: id type diameter density x y z) and Velocities, numbers with
 /// 17 significant digits. Grains have ids 1 ... N in the order of the scene, the lid has N + 1.
-/// Frozen grains have velocity 0. Masses are set by the input script: a density would round them.
+/// Frozen grains have velocity 0 and do not rotate. Masses are set by the input script: a density
+/// would round them.
 [[nodiscard]] std::string data_file(const scene::Scene& scene);
 
 }  // namespace crossgrain::adapters::dump

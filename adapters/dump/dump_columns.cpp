@@ -13,7 +13,7 @@ namespace crossgrain::adapters::dump {
 
 namespace {
 
-constexpr std::array<const char*, 6> meaning_names = {"", "id", "x", "y", "vx", "vy"};
+constexpr std::array<const char*, 7> meaning_names = {"", "id", "x", "y", "vx", "vy", "omegaz"};
 
 constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -45,7 +45,7 @@ Number parse(std::string_view word, const char* column) {
 
 }  // namespace
 
-Columns::Columns(std::string_view names, bool periodic_x, bool periodic_y) {
+Columns::Columns(std::string_view names, bool periodic_x, bool periodic_y, bool spins) {
     std::vector<std::string_view> words;
     for (auto rest = names; !rest.empty();)
         words.push_back(next_word(rest));
@@ -68,6 +68,7 @@ Columns::Columns(std::string_view names, bool periodic_x, bool periodic_y) {
     assign(Meaning::y, "yu", periodic_y ? "" : "y");
     assign(Meaning::vx, "vx");
     assign(Meaning::vy, "vy");
+    if (spins) assign(Meaning::omega, "omegaz");
     meanings_.resize(needed);
 }
 

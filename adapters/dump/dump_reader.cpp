@@ -42,7 +42,7 @@ struct DumpReader::State {
     State(const scene::Scene& given_scene, scene::FrameSink given_sink)
         : scene(given_scene), sink(std::move(given_sink)), grains(given_scene.grain_count()),
           atoms(grains + (given_scene.has_free_lid() ? 1 : 0)), x(atoms), y(atoms), vx(atoms),
-          vy(atoms), seen_in(atoms, 0) {}
+          vy(atoms), omega(atoms), seen_in(atoms, 0) {}
 
     /// Takes a line without its end; names it when something is wrong with it.
     void take_line(std::string_view line);
@@ -67,7 +67,7 @@ struct DumpReader::State {
     Columns columns;
     std::size_t rows_left = 0;
 
-    std::vector<double> x, y, vx, vy;   // shape (grains + lid), by id
+    std::vector<double> x, y, vx, vy, omega;  // shape (grains + lid), by id
     std::vector<std::int64_t> seen_in;  // 1 + number of the frame in which an id was last seen
 
   private:
@@ -146,7 +146,8 @@ void DumpReader::State::take_atom_count(std::string_view line) {
 }
 
 void DumpReader::State::take_columns(std::string_view names) {
-    columns = Columns(names, scene.periodic_x.has_value(), scene.periodic_y.has_value());
+    columns = Columns(names, scene.periodic_x.has_value(), scene.periodic_y.has_value(),
+                      scene.has_friction());
     rows_left = atoms;
     expects = Expects::row;
 }
@@ -165,8 +166,8 @@ void DumpReader::State::take_row(std::string_view line) {
         throw TrajectoryError(fmt::format("id {} appears twice in the {}", row.id, place()));
     }
     seen_in[i] = frames_complete + 1;
-    std::tie(x[i], y[i], vx[i], vy[i]) =
-        std::tie(row.values[0], row.values[1], row.values[2], row.values[3]);
+    std::tie(x[i], y[i], vx[i], vy[i], omega[i]) =
+        std::tie(row.values[0], row.values[1], row.values[2], row.values[3], row.values[4]);
     --rows_left;
 }
 
@@ -182,6 +183,7 @@ void DumpReader::State::emit() {
                        .vy = of_grains(vy),
                        .lid = {}};
     if (atoms > grains) frame.lid = {.height = y[grains], .velocity = vy[grains]};
+    if (scene.has_friction()) frame.omega = of_grains(omega);
     ++frames_complete;
     step.reset();
     counted = bounded = false;

@@ -13,7 +13,8 @@
 
 namespace crossgrain::adapters::dump {
 
-/// Needs the columns id, xu, yu, vx, vy; other columns are ignored. Grains have ids 1 ... N in the
+/// Needs the columns id, xu, yu, vx, vy, and omegaz when the scene has friction; other columns are
+/// ignored. Grains have ids 1 ... N in the
 /// order of the scene; a free lid is the row with id N + 1, whose yu and vy are its height and
 /// velocity. A dump with x (y) instead of xu (yu) is accepted unless the scene is periodic in x
 /// (y). The header may hold ITEM: UNITS and ITEM: TIME, which are skipped: time is step * dt.

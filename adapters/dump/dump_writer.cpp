@@ -32,9 +32,9 @@ void append_header(fmt::memory_buffer& text, const scene::Scene& scene, const sc
     fmt::format_to(std::back_inserter(text),
                    "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
                    "ITEM: BOX BOUNDS {} ss pp\n{:.17g} {:.17g}\n{:.17g} {:.17g}\n-0.5 0.5\n"
-                   "ITEM: ATOMS id type xu yu vx vy\n",
+                   "ITEM: ATOMS id type xu yu vx vy{}\n",
                    frame.step, frame.x.size() + (frame.lid ? 1 : 0), scene.periodic_x ? "pp" : "ss",
-                   x_low, x_high, y_low, y_high);
+                   x_low, x_high, y_low, y_high, scene.has_friction() ? " omegaz" : "");
 }
 
 }  // namespace
@@ -44,14 +44,17 @@ DumpWriter::DumpWriter(const scene::Scene& scene, std::ostream& out) : scene_(sc
 void DumpWriter::operator()(const scene::Frame& frame) {
     fmt::memory_buffer text;
     append_header(text, scene_, frame);
+    const bool spins = scene_.has_friction();
     auto end = std::back_inserter(text);
     for (std::size_t i = 0; i < frame.x.size(); ++i) {
-        fmt::format_to(end, "{} 1 {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, frame.x[i], frame.y[i],
+        fmt::format_to(end, "{} 1 {:.17g} {:.17g} {:.17g} {:.17g}", i + 1, frame.x[i], frame.y[i],
                        frame.vx[i], frame.vy[i]);
+        if (spins) fmt::format_to(end, " {:.17g}", frame.omega[i]);
+        text.push_back('\n');
     }
     if (frame.lid) {
-        fmt::format_to(end, "{} 2 0 {:.17g} 0 {:.17g}\n", frame.x.size() + 1, frame.lid->height,
-                       frame.lid->velocity);
+        fmt::format_to(end, "{} 2 0 {:.17g} 0 {:.17g}{}\n", frame.x.size() + 1, frame.lid->height,
+                       frame.lid->velocity, spins ? " 0" : "");
     }
     if (!out_.write(text.data(), static_cast<std::streamsize>(text.size()))) {
         throw std::ios_base::failure("cannot write the dump");

@@ -4,6 +4,7 @@
 #include "adapters/lammps_family/family_script.hpp"
 #include "adapters/program/error_line.hpp"
 #include "adapters/program/native_choice.hpp"
+#include "adapters/program/own_conventions.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +12,61 @@ namespace crossgrain::adapters {
 
 namespace {
 
+using lammps_family::disc_inertia;
+using lammps_family::sphere_inertia;
+
 /// "29 Sep 2021 - Update 2" from the help's "Large-scale ... Simulator - 29 Sep 2021 - Update 2".
 std::string version_in(const std::string& help) {
     const auto line = line_starting_with(help, "Large-scale");
     const std::size_t start = line ? line->find(" - ") : std::string::npos;
     return start == std::string::npos ? "unknown version" : line->substr(start + 3);
+}
+
+/// Why no pair style follows contacts as the scene says, or nothing.
+std::optional<std::string> other_conventions(const scene::ContactLaw& law) {
+    if (!law.friction || !law.friction->conventions) return std::nullopt;
+    const auto& asked = *law.friction->conventions;
+    for (const char* own : {"lammps-granular", "lammps-hooke-history"}) {
+        if (same_force(*law.friction, asked, scene::conventions_named(own).value())) {
+            return std::nullopt;
+        }
+    }
+    return fmt::format("a frictional contact is followed from step to step as \"lammps-granular\" "
+                       "or \"lammps-hooke-history\" say, not as in {} (these conventions, or own, "
+                       "would be expressible)",
+                       to_string(asked));
+}
+
+/// Why the dashpots of this friction are not those of its pair style, or nothing.
+std::optional<std::string> other_dashpots(const scene::Scene& scene) {
+    const auto& law = scene.contact;
+    if (pair_style(law) == PairStyle::granular) {
+        if (law.friction->damping == 0 || law.damping > 0) return std::nullopt;
+        return "pair style granular has the tangential dashpot as a multiple of the normal one, "
+               "which is 0 (conventions lammps-hooke-history would be expressible)";
+    }
+    const bool any = law.damping > 0 || law.friction->damping > 0;
+    if (law.damping_scale == scene::DampingScale::absolute && any && scene.grains.differ()) {
+        return "pair style gran/hooke/history damps per unit of the effective mass, and these "
+               "grains differ (damping_scale effective-mass, or conventions lammps-granular, would "
+               "be expressible)";
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> other_inertia(const scene::Friction& friction) {
+    const double factor = friction.inertia_factor;
+    if (factor == disc_inertia || factor == sphere_inertia) return std::nullopt;
+    return fmt::format("fix nve/sphere takes the moment of inertia of a disc or of a sphere, not "
+                       "{:g} m r^2 (inertia_factor {:g} or {:g} would be expressible)",
+                       factor, disc_inertia, sphere_inertia);
+}
+
+std::optional<std::string> other_friction(const scene::Scene& scene) {
+    if (!scene.has_friction()) return std::nullopt;
+    if (auto reason = other_conventions(scene.contact)) return reason;
+    if (auto reason = other_dashpots(scene)) return reason;
+    return other_inertia(*scene.contact.friction);
 }
 
 }  // namespace
@@ -34,7 +85,11 @@ Availability LammpsCode::availability_from(const std::string& help) const {
 std::vector<std::string> LammpsCode::features() const {
     return {"contact: spring-dashpot, full-vector or normal-only damping",
             "clipping: none, all",
-            "spins: off",
+            "damping: absolute, per effective mass",
+            "spins: off; on with friction",
+            "friction: spring or dashpot with Coulomb limit, conventions lammps-granular and "
+            "lammps-hooke-history, I = 1/2 or 2/5 m r^2",
+            "grains that differ, drag, backing planes",
             "plates: centre or surface; bottom at rest or prescribed; lid prescribed or free",
             "gravity, frozen grains, open or periodic along x and y",
             "integrator: verlet-half-step"};
@@ -56,7 +111,8 @@ std::optional<std::string> LammpsCode::cannot_express(const scene::Scene& scene)
         return "pair style granular takes the velocity at distance d/2 from the centre but the "
                "torque at the point of contact (spins off would be expressible)";
     }
-    return std::nullopt;
+    if (auto reason = other_friction(scene)) return reason;
+    return lammps_family::unequal_reach(scene);
 }
 
 std::string LammpsCode::script(const scene::Scene& scene, const std::string& data_name) const {

@@ -9,12 +9,23 @@ bool has_tangential_dashpot(const scene::ContactLaw& law) {
     return law.damping_acts_on == scene::Damping::full_vector && law.damping > 0;
 }
 
-void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocities) {
+std::optional<std::string> unequal_reach(const scene::Scene& scene) {
+    const auto& plates = scene.plates;
+    const bool any = plates.bottom || !std::holds_alternative<std::monostate>(plates.lid);
+    if (!any || !scene.grains.differ() || plates.touches == scene::PlateContact::centre) {
+        return std::nullopt;
+    }
+    return "plates reach equally far into all grains, and these differ (plates that touch centres "
+           "would be expressible)";
+}
+
+void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocities, int dimensions) {
     line("# {}", scene_.name);
     line("units lj");
-    line("dimension 2");
+    line("dimension {}", dimensions);
     // Shrink-wrapped where the scene is open: nothing can leave.
-    line("boundary {} {} p", scene_.periodic_x ? 'p' : 's', scene_.periodic_y ? 'p' : 's');
+    line("boundary {} {} {}", scene_.periodic_x ? 'p' : 's', scene_.periodic_y ? 'p' : 's',
+         dimensions == 2 ? 'p' : 'f');
     line("atom_style {}", atom_style);
     if (types_.lid > 0) line("atom_modify map array");
     line("newton off");
@@ -28,8 +39,7 @@ void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocitie
 
 void FamilyScript::add_state(const std::string& data_name) {
     line("read_data {}", data_name);
-    line("set type {} mass {:.17g}", types_.grain, scene_.grains.mass);
-    if (types_.frozen > 0) line("set type {} mass {:.17g}", types_.frozen, scene_.grains.mass);
+    add_masses();
     line("group grains type {}", types_.grain);
     if (types_.lid > 0) {
         line("set type {} mass {:.17g}", types_.lid,
@@ -38,6 +48,17 @@ void FamilyScript::add_state(const std::string& data_name) {
     }
     line("group moving type {}{}", types_.grain,
          types_.lid > 0 ? fmt::format(" {}", types_.lid) : "");
+}
+
+/// By numbers: a density in the data file would round them.
+void FamilyScript::add_masses() {
+    if (scene_.grains.differ()) {
+        for (std::size_t i = 0; i < scene_.grain_count(); ++i)
+            line("set atom {} mass {:.17g}", i + 1, scene_.grains.masses[i]);
+        return;
+    }
+    line("set type {} mass {:.17g}", types_.grain, scene_.grains.mass);
+    if (types_.frozen > 0) line("set type {} mass {:.17g}", types_.frozen, scene_.grains.mass);
 }
 
 void FamilyScript::add_exclusions() {
@@ -52,6 +73,7 @@ void FamilyScript::add_motion(const char* integration) {
     line("timestep {:.17g}", scene_.dt);
     line("fix motion moving {}", integration);
     if (scene_.gravity > 0) line("fix weight moving gravity {:.17g} vector 0 -1 0", scene_.gravity);
+    if (scene_.drag > 0) line("fix drag grains viscous {:.17g}", scene_.drag);
 }
 
 std::string FamilyScript::height_formula(const scene::PrescribedPlate& plate, double offset) const {
@@ -65,7 +87,8 @@ std::string FamilyScript::height_formula(const scene::PrescribedPlate& plate, do
 }
 
 void FamilyScript::add_dump(const std::string& dump_name, const char* number_format) {
-    line("dump frames all custom {} {} id type xu yu vx vy", scene_.frame_every, dump_name);
+    line("dump frames all custom {} {} id type xu yu vx vy{}", scene_.frame_every, dump_name,
+         scene_.has_friction() ? " omegaz" : "");
     line("dump_modify frames sort id format {}", number_format);
 }
 

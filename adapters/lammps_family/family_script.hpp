@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,12 @@ namespace crossgrain::adapters::lammps_family {
 
 /// Whether the law has a dashpot along the contact (full-vector damping with eta > 0).
 [[nodiscard]] bool has_tangential_dashpot(const scene::ContactLaw& law);
+
+/// The moments of inertia, in units of m r^2, that fix nve/sphere knows.
+inline constexpr double disc_inertia = 0.5, sphere_inertia = 0.4;
+
+/// Why plates cannot touch the surfaces of grains that differ; nothing if there is no such reason.
+[[nodiscard]] std::optional<std::string> unequal_reach(const scene::Scene& scene);
 
 /// A script in the making; each code adds its own lines between the common ones.
 class FamilyScript {
@@ -25,12 +32,14 @@ class FamilyScript {
         : scene_(scene), types_(dump::atom_types(scene)) {}
 
     /// `ghost_velocities`: the command that makes ghost atoms carry velocities.
-    void add_setup(const char* atom_style, const char* ghost_velocities);
+    /// In 3 dimensions all grains stay in the plane z = 0, and nothing is periodic along z.
+    void add_setup(const char* atom_style, const char* ghost_velocities, int dimensions = 2);
     /// Atoms, masses, and the groups grains, lid (if there is one) and moving.
     void add_state(const std::string& data_name);
     /// Pairs that do not touch each other: two frozen grains, the lid's atom and any grain.
     void add_exclusions();
-    /// `integration`: the style of the fix that moves grains and lid, e.g. "nve".
+    /// Also gravity and drag. `integration`: the style of the fix that moves grains and lid, e.g.
+    /// "nve".
     void add_motion(const char* integration);
     /// `number_format`: arguments of dump_modify that make all numbers have 17 digits.
     void add_dump(const std::string& dump_name, const char* number_format);
@@ -50,6 +59,8 @@ class FamilyScript {
     [[nodiscard]] const dump::AtomTypes& types() const noexcept { return types_; }
 
   private:
+    void add_masses();
+
     const scene::Scene& scene_;
     dump::AtomTypes types_;
     fmt::memory_buffer text_;

@@ -3,6 +3,9 @@
 #include "adapters/lammps_family/family_script.hpp"
 #include "adapters/liggghts/liggghts_script.hpp"
 #include "adapters/program/native_choice.hpp"
+#include "adapters/program/own_conventions.hpp"
+
+#include <fmt/format.h>
 
 #include <string_view>
 
@@ -20,6 +23,17 @@ std::string version_in(const std::string& help) {
     return version.substr(version.rfind(' ') + 1);
 }
 
+/// Why fix nve/sphere cannot turn the grains of this scene, or nothing.
+std::optional<std::string> other_inertia(const scene::Scene& scene) {
+    using lammps_family::disc_inertia, lammps_family::sphere_inertia;
+    if (!scene.has_friction()) return std::nullopt;
+    const double factor = scene.contact.friction->inertia_factor;
+    if (factor == disc_inertia || factor == sphere_inertia) return std::nullopt;
+    return fmt::format("fix nve/sphere takes the moment of inertia of a disc or of a sphere, not "
+                       "{:g} m r^2 (inertia_factor {:g} or {:g} would be expressible)",
+                       factor, disc_inertia, sphere_inertia);
+}
+
 }  // namespace
 
 std::vector<std::string> LiggghtsCode::version_arguments() const {
@@ -33,7 +47,11 @@ Availability LiggghtsCode::availability_from(const std::string& help) const {
 std::vector<std::string> LiggghtsCode::features() const {
     return {"contact: spring-dashpot, full-vector or normal-only damping",
             "clipping: none, all",
+            "damping: absolute, per effective mass",
             "spins: off, on",
+            "friction: spring or dashpot with Coulomb limit, conventions liggghts, "
+            "I = 1/2 or 2/5 m r^2",
+            "grains that differ, drag, backing planes",
             "plates: centre or surface; bottom at rest or prescribed; lid prescribed or free",
             "gravity, frozen grains, open or periodic along x and y",
             "integrator: verlet-half-step"};
@@ -50,7 +68,9 @@ std::optional<std::string> LiggghtsCode::cannot_express(const scene::Scene& scen
         return "limitForce cuts the tangential dashpot together with the normal force "
                "(clipping none or all would be expressible)";
     }
-    return std::nullopt;
+    if (auto reason = foreign_conventions(scene, "liggghts")) return reason;
+    if (auto reason = other_inertia(scene)) return reason;
+    return lammps_family::unequal_reach(scene);
 }
 
 std::string LiggghtsCode::script(const scene::Scene& scene, const std::string& data_name) const {

@@ -1,5 +1,5 @@
 // The input script of LIGGGHTS for a scene. Holds only what the scene needs: no plates, gravity,
-// lid, spins or third type unless it has them.
+// lid, spins, friction or third type unless it has them.
 #pragma once
 
 #include "cases/scene/scene.hpp"

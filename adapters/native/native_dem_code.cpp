@@ -1,11 +1,13 @@
 #include "adapters/native/native_dem_code.hpp"
 
 #include "adapters/dump/dump_writer.hpp"
+#include "adapters/native/friction_scene.hpp"
 #include "adapters/supervisor.hpp"
 #include "cases/scene/frame_guard.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/errors.hpp"
 #include "native/dem/engine.hpp"
+#include "native/friction/engine.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -106,6 +108,8 @@ dem::State initial_state(const scene::Scene& scene) {
     return state;
 }
 
+using adapters::frame_of;  // of friction::State
+
 scene::Frame frame_of(const dem::State& state, const scene::Scene& scene) {
     scene::Frame frame{.step = state.step,
                        .time = static_cast<double>(state.step) * scene.dt,
@@ -118,10 +122,10 @@ scene::Frame frame_of(const dem::State& state, const scene::Scene& scene) {
     return frame;
 }
 
-void stream_frames(const scene::Scene& scene, const Supervisor& supervisor,
+template <class Engine>
+void stream_frames(Engine&& engine, const scene::Scene& scene, const Supervisor& supervisor,
                    scene::FrameGuard& guard) {
     constexpr std::int64_t block = 1000;  // steps between two looks at the clock
-    dem::Engine engine(parameters(scene), initial_state(scene));
     guard(frame_of(engine.state(), scene));
     for (std::int64_t next = scene.frame_every; next <= scene.steps; next += scene.frame_every) {
         while (engine.state().step < next) {
@@ -131,6 +135,17 @@ void stream_frames(const scene::Scene& scene, const Supervisor& supervisor,
         guard(frame_of(engine.state(), scene));
     }
     guard.finish();
+}
+
+void stream_frames(const scene::Scene& scene, const Supervisor& supervisor,
+                   scene::FrameGuard& guard) {
+    if (needs_friction_engine(scene)) {
+        stream_frames(friction::Engine(friction_parameters(scene), friction_initial_state(scene)),
+                      scene, supervisor, guard);
+    } else {
+        stream_frames(dem::Engine(parameters(scene), initial_state(scene)), scene, supervisor,
+                      guard);
+    }
 }
 
 }  // namespace
@@ -144,7 +159,10 @@ Availability NativeDemCode::probe() const {
 std::vector<std::string> NativeDemCode::features() const {
     return {"contact: spring-dashpot, full-vector or normal-only damping",
             "clipping: none, all, normal-only",
-            "spins: off",
+            "spins: off; on with friction",
+            "friction: spring or dashpot, every combination of the conventions (own: liggghts's); "
+            "grains that differ, drag, backing planes, damping per effective mass: normal-only "
+            "damping, no plates, neighbour-list, double, verlet-half-step",
             "plates: centre or surface; bottom at rest or prescribed; lid prescribed or free",
             "gravity, frozen grains, open or periodic along x and y",
             "contacts: neighbour-list, lattice-neighbours",
@@ -155,8 +173,10 @@ std::vector<std::string> NativeDemCode::features() const {
 }
 
 std::optional<std::string> NativeDemCode::cannot_express(const scene::Scene& scene) const {
+    if (needs_friction_engine(scene)) return friction_cannot_express(scene);
     if (scene.contact.spins == scene::Spins::on) {
-        return "native-dem has no rotating discs; spins = \"off\" would be expressible";
+        return "native-dem has no rotating discs without friction; spins = \"off\" would be "
+               "expressible";
     }
     for (const auto& period : {scene.periodic_x, scene.periodic_y}) {
         if (period && *period < 3 * scene.grains.diameter) {

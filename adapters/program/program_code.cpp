@@ -138,7 +138,7 @@ RunCost ProgramCode::run(const scene::Scene& scene, const RunOptions& options,
         throw failure("cannot express this scene: " + *reason, "not started");
     }
     if (const auto reason = why_missing()) throw failure(*reason, "not started");
-    for (const auto& file : input(scene))
+    for (const auto& file : options.input.empty() ? input(scene) : options.input)
         write_file(options.directory / file.name, file.text);
     TrajectoryStream trajectory(scene, sink,
                                 options.keep_dump ? options.directory / "dump.txt" : fs::path());

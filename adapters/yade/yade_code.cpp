@@ -2,6 +2,7 @@
 
 #include "adapters/program/error_line.hpp"
 #include "adapters/program/native_choice.hpp"
+#include "adapters/program/own_conventions.hpp"
 #include "adapters/yade/scene_script.hpp"
 #include "adapters/yade/yade_errors.hpp"
 #include "cases/scene/scene_json.hpp"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <variant>
 
 namespace crossgrain::adapters {
@@ -35,9 +37,33 @@ std::optional<std::string> too_short(const std::optional<double>& period, char a
                        *period, axis);
 }
 
+double largest_diameter(const scene::Grains& grains) {
+    return grains.differ() ? *std::max_element(grains.diameters.begin(), grains.diameters.end())
+                           : grains.diameter;
+}
+
 bool has_plates(const scene::Scene& scene) {
     return scene.plates.bottom.has_value() ||
            !std::holds_alternative<std::monostate>(scene.plates.lid);
+}
+
+/// Why neither of YADE's laws is this friction, or nothing. Without a dashpot along the normal the
+/// force is never attractive, and clipping it or not is the same.
+std::optional<std::string> other_friction(const scene::Scene& scene) {
+    const auto& law = scene.contact;
+    if (!law.friction || law.damping == 0 || law.clipping != scene::Clipping::none)
+        return std::nullopt;
+    const auto& friction = *law.friction;
+    if (friction.force == scene::TangentialForce::dashpot) {
+        return "the law that keeps the attraction (LudingMat) puts no Coulomb limit on a dashpot "
+               "(clipping all or normal-only, or force spring with the damping of the normal, "
+               "would be expressible)";
+    }
+    if (friction.damping == law.damping) return std::nullopt;
+    return fmt::format("the law that keeps the attraction (LudingMat) has one damping for normal "
+                       "and tangent, not {:g} and {:g} (clipping all or normal-only, or a "
+                       "tangential damping of {:g}, would be expressible)",
+                       law.damping, friction.damping, law.damping);
 }
 
 }  // namespace
@@ -54,7 +80,11 @@ Availability YadeCode::availability_from(const std::string& answer) const {
 std::vector<std::string> YadeCode::features() const {
     return {"contact: spring-dashpot, full-vector or normal-only damping",
             "clipping: none, all, normal-only",
+            "damping: absolute, per effective mass",
             "spins: off, on",
+            "friction: spring or dashpot with Coulomb limit, conventions yade; with the attraction "
+            "left in, only a spring whose tangential damping is that of the normal",
+            "grains that differ, drag, backing planes",
             "plates: centre or surface; bottom at rest or prescribed; lid prescribed or free",
             "gravity, frozen grains, open or periodic along x and y",
             "integrator: verlet-half-step"};
@@ -66,15 +96,19 @@ std::optional<std::string> YadeCode::cannot_express(const scene::Scene& scene) c
                "(integrator verlet-half-step would be expressible)";
     }
     if (auto reason = native_choice(scene)) return reason;
-    if (auto reason = too_short(scene.periodic_x, 'x', scene.grains.diameter)) return reason;
-    return too_short(scene.periodic_y, 'y', scene.grains.diameter);
+    if (auto reason = foreign_conventions(scene, "yade")) return reason;
+    if (auto reason = other_friction(scene)) return reason;
+    const double diameter = largest_diameter(scene.grains);
+    if (auto reason = too_short(scene.periodic_x, 'x', diameter)) return reason;
+    return too_short(scene.periodic_y, 'y', diameter);
 }
 
 std::vector<InputFile> YadeCode::input(const scene::Scene& scene) const {
     std::vector<InputFile> files{
         {.name = script_name, .text = std::string(yade::scene_script())},
-        {.name = "scene.json", .text = scene::to_json(scene).dump(1) + "\n"}};
-    if (has_plates(scene)) {
+        {.name = "scene.json", .text = scene::to_json(scene).dump(1) + "\n"},
+        {.name = "laws.py", .text = std::string(yade::laws_script())}};
+    if (has_plates(scene) || scene.backing) {
         files.push_back({.name = "plates.py", .text = std::string(yade::plates_script())});
     }
     return files;

@@ -20,7 +20,8 @@ class YadeCode final : public ProgramCode {
     [[nodiscard]] std::vector<std::string> features() const override;
     [[nodiscard]] std::optional<std::string>
     cannot_express(const scene::Scene& scene) const override;
-    /// The scripts, which are the same for all scenes, and the scene; plates only if it has any.
+    /// The scripts, which are the same for all scenes, and the scene; plates only if it has any
+    /// or backing planes.
     [[nodiscard]] std::vector<InputFile> input(const scene::Scene& scene) const override;
 
   protected:

@@ -77,6 +77,21 @@ struct ChartedError {
     int line = 0;
 };
 
+/// What is fitted over the variants of a case: the exponent a of y ~ x^a or of 1/y ~ x^a;
+/// Beverloo's law y = C (x - k)^(3/2), or its exponent; the slope dy/dx at every inner variant.
+enum class FitLaw { exponent, inverse_exponent, outlet, outlet_exponent, local_slope };
+
+/// One measurement over the variants of a case.
+struct Fit {
+    std::string name;  ///< of the measurement
+    FitLaw law = FitLaw::exponent;
+    std::string observable;  ///< y
+    std::string along;       ///< x: a key of the sweep, a setting of y, or another measurement
+    bool tangent = false;    ///< x is the tangent of that, which is in degrees
+    std::optional<double> from, to;     ///< range of x, before any tangent
+    std::vector<std::string> variants;  ///< names or globs; empty: all
+};
+
 struct Variant {
     std::string name;       ///< empty if the case has one variant only
     std::string drops;      ///< physics that this variant leaves out, e.g. "spins"; usually empty
@@ -110,6 +125,7 @@ class Case {
     std::vector<ObservableRequest> observables;
     std::vector<Check> checks;          ///< of the quick and the full suite
     std::vector<ChartedError> charted;  ///< in the chart suite only
+    std::vector<Fit> fits;
     Replicas replicas;
     double time_limit = 0;  ///< wall seconds per run
 

@@ -1,6 +1,7 @@
 #include "cases/catalog/case.hpp"
 
 #include "cases/catalog/check_file.hpp"
+#include "cases/catalog/fit_file.hpp"
 #include "cases/catalog/sweep_file.hpp"
 #include "cases/catalog/variant_file.hpp"
 #include "cases/scene/model_file.hpp"
@@ -221,6 +222,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.variants = cross(source->sweep, written);
     result.replicas = read_replicas(t.table("replicas"));
     result.observables = read_observables(t);
+    result.fits = read_fits(t);
     result.checks = read_checks(t);
     if (suite == Suite::chart) {
         result.checks.clear();

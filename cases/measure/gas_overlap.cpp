@@ -93,27 +93,11 @@ std::vector<double> GasOverlap::shifts(std::size_t replica) const {
     return shifts;
 }
 
-GasOverlap::Line GasOverlap::line_through(const std::vector<double>& shifts) const {
-    const auto n = static_cast<double>(lags_.size());
-    double t = 0, x = 0, tt = 0, tx = 0;
+ShiftLine GasOverlap::line_through(const std::vector<double>& shifts) const {
     std::vector<double> times;
-    for (std::size_t k = 0; k < lags_.size(); ++k) {
-        times.push_back(static_cast<double>(lags_[k] * sampling_.every));
-        t += times[k] / n;
-        x += shifts[k] / n;
-    }
-    for (std::size_t k = 0; k < lags_.size(); ++k) {
-        tt += (times[k] - t) * (times[k] - t);
-        tx += (times[k] - t) * (shifts[k] - x);
-    }
-    const double slope = tx / tt, intercept = x - slope * t;
-    bool straight = std::abs(intercept) <= options_.smoothing;
-    for (std::size_t k = 0; k < lags_.size(); ++k) {
-        straight =
-            straight && std::abs(shifts[k] - intercept - slope * times[k]) <= options_.smoothing;
-    }
-    const double covered = std::abs(slope) * (times.back() - times.front());
-    return {slope, straight && covered > options_.smoothing};
+    for (const std::int64_t lag : lags_)
+        times.push_back(static_cast<double>(lag * sampling_.every));
+    return shift_line(times, shifts, options_.smoothing);
 }
 
 double GasOverlap::height(std::size_t lag) const {
@@ -133,7 +117,7 @@ void GasOverlap::finish(Results& results) {
     std::size_t others = 0;
     for (std::size_t r = 0; r < shape_.replicas; ++r) {
         all.push_back(shifts(r));
-        const Line line = line_through(all.back());
+        const ShiftLine line = line_through(all.back());
         const double speed = std::abs(line.slope);
         if (!line.travels) continue;
         if (speed < options_.v_min || speed > options_.v_max) {

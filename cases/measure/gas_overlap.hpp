@@ -7,15 +7,15 @@
 // their maximum is followed over the intervals (unwrapped around the pipe), and v is the slope of
 // the straight line through the shifts, intercept free.
 //
-// A pattern travels if its shifts lie on a line: every residual and the intercept within one
-// smoothing length, and more than a smoothing length is covered between the first and the last
-// interval. Shifts of white noise are uniform on the pipe; seven intervals and L = 512 pass with
-// probability (40/512)^6 < 1e-6, L = 220 with 4e-5. It is a wave if its speed is between v_min and
-// v_max, up or down: particles in free fall carry every pattern along at v = 1.
+// Whether a pattern travels is decided by shift_line.hpp. Shifts of white noise are uniform on the
+// pipe; seven intervals and L = 512 pass with probability (40/512)^6 < 1e-6, L = 220 with 4e-5. It
+// is a wave if its speed is between v_min and v_max, up or down: particles in free fall carry every
+// pattern along at v = 1.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/gas_shift.hpp"
+#include "cases/measure/shift_line.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
@@ -53,12 +53,8 @@ class GasOverlap final : public GasEstimator {
     void finish(Results& results) override;
 
   private:
-    struct Line {
-        double slope = 0;
-        bool travels = false;
-    };
     [[nodiscard]] std::vector<double> shifts(std::size_t replica) const;
-    [[nodiscard]] Line line_through(const std::vector<double>& shifts) const;
+    [[nodiscard]] ShiftLine line_through(const std::vector<double>& shifts) const;
     [[nodiscard]] double height(std::size_t lag) const;
 
     scene::GasSampling sampling_;

@@ -3,6 +3,7 @@
 #include "cases/measure/gas_window.hpp"
 #include "cases/measure/jackknife.hpp"
 #include "cases/measure/mean_with_error.hpp"
+#include "cases/measure/parzen_window.hpp"
 
 #include <fmt/format.h>
 
@@ -39,16 +40,6 @@ GasSpectrumOptions checked(const scene::GasSampling& sampling, GasSpectrumOption
 
 BinRange bins_of(const GasSpectrumOptions& o) {
     return {static_cast<std::size_t>(o.first_bin), static_cast<std::size_t>(o.last_bin)};
-}
-
-std::vector<float> parzen_window(std::size_t points) {
-    const auto m = static_cast<double>(points);
-    std::vector<float> window(points);
-    for (std::size_t j = 0; j < points; ++j) {
-        window[j] = static_cast<float>(
-            1 - std::abs((static_cast<double>(j) - (m - 1) / 2) / ((m + 1) / 2)));
-    }
-    return window;
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 namespace crossgrain::measure {
 
 Momentum::Momentum(const scene::Scene& scene)
-    : mass_(scene.grains.mass),
-      x_conserved_(std::ranges::none_of(scene.initial.frozen, [](bool f) { return f; })),
+    : grains_(scene.grains),
+      x_conserved_(scene.drag == 0 && !scene.backing &&
+                   std::ranges::none_of(scene.initial.frozen, [](bool f) { return f; })),
       y_conserved_(x_conserved_ && scene.gravity == 0 && !scene.plates.bottom &&
                    std::holds_alternative<std::monostate>(scene.plates.lid)) {}
 
@@ -15,9 +16,10 @@ void Momentum::add(const scene::Frame& frame) {
     if (!x_conserved_) return;
     double px = 0, py = 0, squares = 0;
     for (std::size_t i = 0; i < frame.vx.size(); ++i) {
-        px += mass_ * frame.vx[i];
-        py += mass_ * frame.vy[i];
-        squares += frame.vx[i] * frame.vx[i] + frame.vy[i] * frame.vy[i];
+        const double mass = grains_.mass_of(i);
+        px += mass * frame.vx[i];
+        py += mass * frame.vy[i];
+        squares += mass * mass * (frame.vx[i] * frame.vx[i] + frame.vy[i] * frame.vy[i]);
     }
     if (frames_ == 0) {
         first_x_ = px;
@@ -26,7 +28,7 @@ void Momentum::add(const scene::Frame& frame) {
     ++frames_;
     worst_x_ = std::max(worst_x_, std::abs(px - first_x_));
     worst_y_ = std::max(worst_y_, std::abs(py - first_y_));
-    scale_ = std::max(scale_, mass_ * std::sqrt(squares));
+    scale_ = std::max(scale_, std::sqrt(squares));
 }
 
 void Momentum::finish(Results& results) {

@@ -4,15 +4,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace crossgrain::scene {
+namespace {
+
+double smallest_diameter(const Grains& grains) {
+    return grains.differ() ? *std::min_element(grains.diameters.begin(), grains.diameters.end())
+                           : grains.diameter;
+}
+
+}  // namespace
 
 FrameGuard::FrameGuard(const Scene& scene, FrameSink next)
-    : scene_(scene), next_(std::move(next)) {}
+    : scene_(scene), next_(std::move(next)), smallest_diameter_(smallest_diameter(scene.grains)) {}
 
 void FrameGuard::operator()(const Frame& frame) {
     check_schedule(frame);
+    check_shape(frame);
     check_values(frame);
     ++frames_;
     expected_step_ += scene_.frame_every;
@@ -36,7 +46,7 @@ void FrameGuard::check_schedule(const Frame& frame) const {
     }
 }
 
-void FrameGuard::check_values(const Frame& frame) const {
+void FrameGuard::check_shape(const Frame& frame) const {
     const std::size_t n = scene_.grain_count();
     if (frame.x.size() != n || frame.y.size() != n || frame.vx.size() != n ||
         frame.vy.size() != n) {
@@ -48,6 +58,16 @@ void FrameGuard::check_values(const Frame& frame) const {
                                           frame.lid ? "has" : "lacks",
                                           scene_.has_free_lid() ? "has one" : "has none"));
     }
+    if (scene_.has_friction() && frame.omega.size() != n) {
+        throw TrajectoryError(fmt::format(
+            "frame at step {} holds angular velocities of {} grains, the scene has {} with "
+            "friction",
+            frame.step, frame.omega.size(), n));
+    }
+}
+
+void FrameGuard::check_values(const Frame& frame) const {
+    const std::size_t n = scene_.grain_count();
     if (frame.lid && !(std::isfinite(frame.lid->height) && std::isfinite(frame.lid->velocity))) {
         throw TrajectoryError(
             fmt::format("height or velocity of the lid is not finite at step {}", frame.step));
@@ -58,12 +78,16 @@ void FrameGuard::check_values(const Frame& frame) const {
             throw TrajectoryError(fmt::format(
                 "position or velocity of grain {} is not finite at step {}", i, frame.step));
         }
+        if (scene_.has_friction() && !std::isfinite(frame.omega[i])) {
+            throw TrajectoryError(fmt::format(
+                "angular velocity of grain {} is not finite at step {}", i, frame.step));
+        }
         const double moved = std::hypot(frame.vx[i], frame.vy[i]) * scene_.dt;
-        if (moved >= scene_.grains.diameter) {
+        if (moved >= smallest_diameter_) {
             throw TrajectoryError(fmt::format(
                 "grain {} moves {:.3g} diameters in one time step at step {}: dt = {:g} is too "
                 "large for this state (contacts are jumped over)",
-                i, moved / scene_.grains.diameter, frame.step, scene_.dt));
+                i, moved / smallest_diameter_, frame.step, scene_.dt));
         }
     }
 }

@@ -10,8 +10,9 @@
 namespace crossgrain::scene {
 
 /// Checks, in this order: the step is the next one of the schedule (no gap, no overlap), the number
-/// of grains, the lid's presence, finiteness, and that no grain moves by a diameter or more within
-/// one time step (contacts would be jumped over: dt is too large for this state).
+/// of grains, the lid's presence, angular velocities where there is friction, finiteness, and that
+/// no grain moves by a diameter (of the smallest) or more within one time step (contacts would be
+/// jumped over: dt is too large for this state).
 class FrameGuard {
   public:
     FrameGuard(const Scene& scene, FrameSink next);
@@ -26,10 +27,12 @@ class FrameGuard {
 
   private:
     void check_schedule(const Frame& frame) const;
+    void check_shape(const Frame& frame) const;
     void check_values(const Frame& frame) const;
 
     const Scene& scene_;
     FrameSink next_;
+    double smallest_diameter_;
     std::int64_t expected_step_ = 0;
     std::int64_t frames_ = 0;
 };

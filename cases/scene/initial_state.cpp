@@ -1,6 +1,7 @@
 #include "cases/scene/initial_state.hpp"
 
-#include "native/base/random.hpp"
+#include "cases/scene/initial_draws.hpp"
+#include "cases/scene/initial_recipes.hpp"
 
 #include <fmt/format.h>
 
@@ -11,65 +12,7 @@
 namespace crossgrain::scene {
 namespace {
 
-void resize(InitialState& s, std::size_t n) {
-    s.x.assign(n, 0);
-    s.y.assign(n, 0);
-    s.vx.assign(n, 0);
-    s.vy.assign(n, 0);
-}
-
-/// Isolated objects sit on a square grid, far enough apart that they never meet, close enough to
-/// the origin that positions keep their digits.
-struct Grid {
-    std::size_t columns;
-    double spacing;
-    [[nodiscard]] double x(std::size_t k) const {
-        return spacing * static_cast<double>(k % columns);
-    }
-    [[nodiscard]] double y(std::size_t k) const {
-        return spacing * static_cast<double>(k / columns);
-    }
-};
-
-Grid grid_for(std::size_t count, double spacing) {
-    return {static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count)))), spacing};
-}
-
-/// Distance that an approach at `speed` covers until object k of `count` touches.
-double gap_of(std::size_t k, std::size_t count, double lead_steps, double speed, double dt) {
-    const double phase = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    return (lead_steps + phase) * speed * dt;
-}
-
-void generate(Scene& scene, const Pairs& pairs) {
-    auto& s = scene.initial;
-    const double d = scene.grains.diameter;
-    const double b = pairs.impact_parameter;
-    if (std::abs(b) >= d) {
-        throw std::invalid_argument(
-            fmt::format("impact parameter {:g}: grains of diameter {:g} would not meet", b, d));
-    }
-    // Free flight after the collision is the rest of the run at no more than the approach speed.
-    const double travel = pairs.approach_speed * scene.dt * static_cast<double>(scene.steps);
-    const Grid grid = grid_for(pairs.count, 3 * d + 2 * travel);
-    const double touch = std::sqrt(d * d - b * b);
-    resize(s, 2 * pairs.count);
-    if (pairs.frozen_partner) s.frozen.assign(2 * pairs.count, false);
-    for (std::size_t k = 0; k < pairs.count; ++k) {
-        const double gap = gap_of(k, pairs.count, pairs.lead_steps, pairs.approach_speed, scene.dt);
-        const std::size_t left = 2 * k;
-        const std::size_t right = left + 1;
-        s.x[left] = grid.x(k);
-        s.y[left] = grid.y(k);
-        s.x[right] = grid.x(k) + touch + gap;
-        s.y[right] = grid.y(k) + b;
-        s.vx[left] = pairs.frozen_partner ? pairs.approach_speed : pairs.approach_speed / 2;
-        s.vx[right] = pairs.frozen_partner ? 0 : -pairs.approach_speed / 2;
-        if (pairs.frozen_partner) s.frozen[right] = true;
-    }
-}
-
-void generate(Scene& scene, const Bounces& bounces) {
+void generate(Scene& scene, const Bounces& bounces, const SizeSpread&) {
     auto& s = scene.initial;
     const double d = scene.grains.diameter;
     const double reach = scene.plates.touches == PlateContact::surface ? d / 2 : 0.0;
@@ -95,36 +38,7 @@ void generate(Scene& scene, const Bounces& bounces) {
     }
 }
 
-void remove_drift(std::vector<double>& v) {
-    double mean = 0;
-    for (const double value : v)
-        mean += value;
-    mean /= static_cast<double>(v.size());
-    for (double& value : v)
-        value -= mean;
-}
-
-void thermalise(Scene& scene, double spread) {
-    auto& s = scene.initial;
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-        const auto [gx, gy] = normal_pair(scene.seed, RandomStream::initial_velocity, i);
-        s.vx[i] = spread * gx;
-        s.vy[i] = spread * gy;
-    }
-    remove_drift(s.vx);
-    remove_drift(s.vy);
-}
-
-/// Moves grain i by less than `reach` in a random direction.
-void jitter(Scene& scene, std::size_t i, double reach) {
-    const double angle =
-        2 * std::numbers::pi * uniform(scene.seed, RandomStream::initial_position, i);
-    const double radius = reach * uniform(scene.seed, RandomStream::jitter, i);
-    scene.initial.x[i] += radius * std::cos(angle);
-    scene.initial.y[i] += radius * std::sin(angle);
-}
-
-void generate(Scene& scene, const Gas& gas) {
+void generate(Scene& scene, const Gas& gas, const SizeSpread& sizes) {
     if (!scene.periodic_x || !scene.periodic_y) {
         throw std::invalid_argument("a gas needs periodic_x and periodic_y");
     }
@@ -132,7 +46,7 @@ void generate(Scene& scene, const Gas& gas) {
         static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(gas.count))));
     const double sx = *scene.periodic_x / static_cast<double>(side);
     const double sy = *scene.periodic_y / static_cast<double>(side);
-    const double free = std::min(sx, sy) - scene.grains.diameter;
+    const double free = std::min(sx, sy) - scene.grains.diameter * (1 + sizes.spread);
     if (free <= 0) {
         throw std::invalid_argument(fmt::format("{} grains of diameter {:g} do not fit the box",
                                                 gas.count, scene.grains.diameter));
@@ -144,14 +58,16 @@ void generate(Scene& scene, const Gas& gas) {
         jitter(scene, i, 0.45 * free);
     }
     thermalise(scene, gas.velocity_spread);
+    draw_spins(scene, gas.spin_spread);
+    draw_sizes(scene, sizes);
 }
 
-void generate(Scene& scene, const Lattice& lattice) {
+void generate(Scene& scene, const Lattice& lattice, const SizeSpread& sizes) {
     if (!scene.periodic_x || !scene.plates.bottom) {
         throw std::invalid_argument("a lattice needs periodic_x and a bottom plate");
     }
     const double spacing = *scene.periodic_x / static_cast<double>(lattice.columns);
-    const double free = spacing - scene.grains.diameter;
+    const double free = spacing - scene.grains.diameter * (1 + sizes.spread);
     if (free <= 0) {
         throw std::invalid_argument(
             fmt::format("{} columns of grains of diameter {:g} do not fit the period {:g}",
@@ -174,12 +90,14 @@ void generate(Scene& scene, const Lattice& lattice) {
         lid->height = highest + reach + lattice.lid_gap;
     }
     thermalise(scene, lattice.velocity_spread);
+    draw_sizes(scene, sizes);
 }
 
-void generate(Scene& scene, const Packing& packing) {
+void generate(Scene& scene, const Packing& packing, const SizeSpread& sizes) {
     if (!scene.periodic_x || !scene.plates.bottom) {
         throw std::invalid_argument("a packing needs periodic_x and a bottom plate");
     }
+    if (sizes.spread > 0) throw std::invalid_argument("a packing needs grains that are alike");
     const double d = scene.grains.diameter;
     // The period is a decimal number; only its rounding is forgiven.
     const double fit = std::floor(*scene.periodic_x / d * (1 + 1e-12));
@@ -204,18 +122,29 @@ void generate(Scene& scene, const Packing& packing) {
     thermalise(scene, packing.velocity_spread);
 }
 
-void generate(Scene& scene, const Explicit& given) {
+void generate(Scene& scene, const Explicit& given, const SizeSpread&) {
     scene.initial = given.state;
+    scene.grains.diameters = given.diameters;
+    scene.grains.masses = given.masses;
+}
+
+void check_frozen(const InitialState& s) {
+    for (std::size_t i = 0; i < s.frozen.size(); ++i) {
+        const bool spins = !s.omega.empty() && s.omega[i] != 0;
+        if (s.frozen[i] && (s.vx[i] != 0 || s.vy[i] != 0 || spins)) {
+            throw std::invalid_argument(fmt::format("grain {} is frozen but has a velocity", i));
+        }
+    }
 }
 
 }  // namespace
 
-void generate_initial_state(Scene& scene, const InitialStateRecipe& recipe) {
-    std::visit([&](const auto& r) { generate(scene, r); }, recipe);
-    for (std::size_t i = 0; i < scene.initial.frozen.size(); ++i) {
-        if (scene.initial.frozen[i] && (scene.initial.vx[i] != 0 || scene.initial.vy[i] != 0)) {
-            throw std::invalid_argument(fmt::format("grain {} is frozen but has a velocity", i));
-        }
+void generate_initial_state(Scene& scene, const InitialStateRecipe& recipe,
+                            const SizeSpread& sizes) {
+    std::visit([&](const auto& r) { generate(scene, r, sizes); }, recipe);
+    check_frozen(scene.initial);
+    if (!scene.initial.omega.empty() && !scene.has_friction()) {
+        throw std::invalid_argument("grains spin, but without friction nothing feels it");
     }
     if (const std::size_t contacts = initial_contacts(scene); contacts > 0) {
         throw std::invalid_argument(

@@ -20,6 +20,17 @@ std::size_t count_of(const TomlTable& t, const char* key) {
     return static_cast<std::size_t>(count);
 }
 
+/// One number, or [first, last].
+Span read_span(const TomlTable& t, const char* key) {
+    if (!t.has(key)) return {};
+    const auto ends = t.numbers(key, Range::any());
+    if (ends.size() > 2) {
+        throw t.error(key, "has the wrong length", fmt::format("{}", ends.size()),
+                      "one number, or the first and the last pair's");
+    }
+    return {.first = ends.front(), .last = ends.back()};
+}
+
 Pairs read_pairs(const TomlTable& t) {
     Pairs pairs{.count = count_of(t, "count"),
                 .approach_speed = t.number("approach_speed", Range::positive()),
@@ -28,6 +39,14 @@ Pairs read_pairs(const TomlTable& t) {
     if (t.has("frozen_partner")) pairs.frozen_partner = t.boolean("frozen_partner");
     if (const auto lead = t.optional_number("lead_steps", Range::not_negative())) {
         pairs.lead_steps = *lead;
+    }
+    pairs.tangential_speed = read_span(t, "tangential_speed");
+    pairs.spin = read_span(t, "spin");
+    pairs.partner_spin = read_span(t, "partner_spin");
+    pairs.partner_size = t.optional_number("partner_size", Range::positive()).value_or(1);
+    if (pairs.frozen_partner && pairs.partner_spin.largest() > 0) {
+        throw t.error("partner_spin", "contradicts", "'frozen_partner' as well", "one of the two",
+                      "remove one");
     }
     return pairs;
 }
@@ -44,7 +63,37 @@ Bounces read_bounces(const TomlTable& t) {
 
 Gas read_gas(const TomlTable& t) {
     return {.count = count_of(t, "count"),
-            .velocity_spread = t.number("velocity_spread", Range::not_negative())};
+            .velocity_spread = t.number("velocity_spread", Range::not_negative()),
+            .spin_spread = t.optional_number("spin_spread", Range::not_negative()).value_or(0)};
+}
+
+Pipe read_pipe(const TomlTable& t) {
+    static const std::array<std::string, 2> walls{"rough", "smooth"};
+    return {.width = t.number("width", Range::positive()),
+            .wall_spacing = t.number("wall_spacing", Range::positive()),
+            .area_fraction = t.number("area_fraction", Range::left_open(0, 0.9)),
+            .velocity_spread = t.number("velocity_spread", Range::not_negative()),
+            .fall_speed = t.optional_number("fall_speed", Range::any()).value_or(0),
+            .smooth = t.has("walls") && t.choice("walls", walls) == 1};
+}
+
+Hopper read_hopper(const TomlTable& t) {
+    const Hopper hopper{
+        .angle = t.number("angle", Range::not_negative()),
+        .outlet = t.number("outlet", Range::positive()),
+        .height = t.number("height", Range::positive()),
+        .settled_fraction =
+            t.optional_number("settled_fraction", Range::left_open(0, 0.9)).value_or(0.81),
+        .velocity_spread = t.optional_number("velocity_spread", Range::not_negative()).value_or(0)};
+    if (hopper.angle >= 180) {
+        throw t.error("angle", "is out of range", fmt::format("{:g}", hopper.angle),
+                      "degrees in [0, 180), the whole opening angle");
+    }
+    return hopper;
+}
+
+Settled read_settled(const TomlTable& t) {
+    return {.hopper = read_hopper(t), .settle_time = t.number("settle_time", Range::positive())};
 }
 
 Lattice read_lattice(const TomlTable& t) {
@@ -75,6 +124,16 @@ Explicit read_explicit(const TomlTable& t) {
     check("y", given.state.y.size());
     check("vx", given.state.vx.size());
     check("vy", given.state.vy.size());
+    if (t.has("omega")) {
+        given.state.omega = t.numbers("omega", Range::any());
+        check("omega", given.state.omega.size());
+    }
+    if (t.has("diameters") || t.has("masses")) {
+        given.diameters = t.numbers("diameters", Range::positive());
+        given.masses = t.numbers("masses", Range::positive());
+        check("diameters", given.diameters.size());
+        check("masses", given.masses.size());
+    }
     if (t.has("frozen")) {
         given.state.frozen.assign(n, false);
         for (const double index : t.numbers("frozen", Range::not_negative())) {
@@ -92,8 +151,8 @@ Explicit read_explicit(const TomlTable& t) {
 }  // namespace
 
 InitialStateRecipe read_initial_state(const TomlTable& t) {
-    static const std::array<std::string, 6> kinds{"pairs",   "bounces", "gas",
-                                                  "lattice", "packing", "explicit"};
+    static const std::array<std::string, 9> kinds{
+        "pairs", "bounces", "gas", "lattice", "packing", "pipe", "hopper", "settled", "explicit"};
     const std::size_t kind = t.choice("kind", kinds);
     const InitialStateRecipe recipe = [&]() -> InitialStateRecipe {
         switch (kind) {
@@ -107,6 +166,12 @@ InitialStateRecipe read_initial_state(const TomlTable& t) {
             return read_lattice(t);
         case 4:
             return read_packing(t);
+        case 5:
+            return read_pipe(t);
+        case 6:
+            return read_hopper(t);
+        case 7:
+            return read_settled(t);
         default:
             return read_explicit(t);
         }

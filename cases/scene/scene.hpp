@@ -115,6 +115,13 @@ struct InitialState {
     std::vector<bool> frozen;    ///< grains that never move; empty when there are none
 };
 
+/// What happens to the initial state before the run: it evolves under the scene's own laws, then
+/// some grains are taken away, and the rest starts the run. A code never sees it: app/preparation.
+struct Preparation {
+    std::int64_t steps = 0;     ///< > 0
+    std::vector<bool> removed;  ///< shape (grains)
+};
+
 /// Grains that are all alike, or each with its own size and mass.
 struct Grains {
     double diameter = 0;            ///< d, > 0; of grains that differ, the nominal one
@@ -148,6 +155,7 @@ struct Scene {
     std::int64_t frame_every = 0;  ///< frames at 0, frame_every, ..., steps
     std::uint64_t seed = 0;        ///< of the initial state
     InitialState initial;
+    std::optional<Preparation> preparation;  ///< still to be done to `initial`
 
     [[nodiscard]] std::size_t grain_count() const noexcept { return initial.x.size(); }
     [[nodiscard]] bool has_free_lid() const noexcept {

@@ -1,9 +1,10 @@
 #include "cases/scene/scene_file.hpp"
 
+#include "cases/scene/contact_file.hpp"
+#include "cases/scene/exclusive_keys.hpp"
 #include "cases/scene/initial_state_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -16,9 +17,6 @@ namespace {
 using toml_input::Range;
 using toml_input::TomlTable;
 
-const std::array<std::string, 2> damping_words{"full-vector", "normal-only"};
-const std::array<std::string, 3> clipping_words{"none", "all", "normal-only"};
-const std::array<std::string, 2> spin_words{"off", "on"};
 const std::array<std::string, 2> touch_words{"centre", "surface"};
 const std::array<std::string, 8> integrator_words{
     "verlet-half-step", "verlet-predicted", "leapfrog-crank-nicolson", "semi-implicit-euler",
@@ -26,59 +24,38 @@ const std::array<std::string, 8> integrator_words{
 const std::array<std::string, 2> contacts_words{"neighbour-list", "lattice-neighbours"};
 const std::array<std::string, 2> precision_words{"double", "mixed"};
 
-/// Says which of several exclusive keys is given; none or two of them is an error.
-std::string exactly_one(const TomlTable& t, const std::vector<std::string>& keys) {
-    std::string found;
-    for (const auto& key : keys) {
-        if (!t.has(key)) continue;
-        if (!found.empty()) {
-            throw t.error(key, "contradicts", fmt::format("'{}' as well", t.dotted(found)),
-                          "one of the two", "remove one");
-        }
-        found = key;
-    }
-    if (found.empty()) {
-        throw t.missing(keys.front(), fmt::format("one of '{}'", fmt::join(keys, "', '")));
-    }
-    return found;
-}
-
 Grains read_grains(const TomlTable& t) {
-    const Grains grains{.diameter = t.number("diameter", Range::positive()),
-                        .mass = t.number("mass", Range::positive())};
-    t.reject_unknown_keys();
-    return grains;
+    return {.diameter = t.number("diameter", Range::positive()),
+            .mass = t.number("mass", Range::positive())};
 }
 
-/// k and eta from restitution and contact time of a head-on collision of two grains of mass m:
-/// eta = -m ln(e)/t_col, k = m ((pi/t_col)^2 + (eta/m)^2)/2  (Taguchi, below Eq. 1).
-void stiffness_from_collision(const TomlTable& t, double mass, ContactLaw& law) {
-    const double e = t.number("restitution", Range::left_open(0, 1));
-    const double t_col = t.number("contact_time", Range::positive());
-    const double rate = -std::log(e) / t_col;
-    const double omega = std::numbers::pi / t_col;
-    // log(1) is -0: an elastic grain has eta = 0, without a sign.
-    law.damping = e == 1 ? 0.0 : mass * rate;
-    law.stiffness = mass * (omega * omega + rate * rate) / 2;
-}
-
-ContactLaw read_contact(const TomlTable& t, double mass) {
-    ContactLaw law;
-    if (exactly_one(t, {"restitution", "stiffness"}) == "restitution") {
-        stiffness_from_collision(t, mass, law);
-        if (t.has("damping_coefficient")) {
-            throw t.error("damping_coefficient", "contradicts", "'restitution' as well",
-                          "one of the two", "remove one");
+SizeSpread read_sizes(const TomlTable& t) {
+    SizeSpread sizes;
+    if (const auto spread = t.optional_number("diameter_spread", Range::not_negative())) {
+        if (*spread >= 1) {
+            throw t.error("diameter_spread", "is out of range", fmt::format("{:g}", *spread),
+                          "a number in [0, 1)", "0.05 is 5 % to either side");
         }
-    } else {
-        law.stiffness = t.number("stiffness", Range::positive());
-        law.damping = t.number("damping_coefficient", Range::not_negative());
+        sizes.spread = *spread;
     }
-    law.damping_acts_on = static_cast<Damping>(t.choice("damping", damping_words));
-    law.clipping = static_cast<Clipping>(t.choice("clipping", clipping_words));
-    law.spins = static_cast<Spins>(t.choice("spins", spin_words));
+    if (const auto exponent = t.optional_number("mass_exponent", Range::not_negative())) {
+        sizes.mass_exponent = *exponent;
+    }
     t.reject_unknown_keys();
-    return law;
+    return sizes;
+}
+
+BackingPlanes read_backing(const TomlTable& t, double contact_stiffness) {
+    const BackingPlanes planes{
+        .stiffness = t.optional_number("stiffness", Range::positive()).value_or(contact_stiffness),
+        .left = t.number("left", Range::any()),
+        .right = t.number("right", Range::any())};
+    if (planes.left >= planes.right) {
+        throw t.error("right", "is out of range", fmt::format("{:g}", planes.right),
+                      fmt::format("a number > left = {:g}", planes.left));
+    }
+    t.reject_unknown_keys();
+    return planes;
 }
 
 PrescribedPlate read_prescribed_plate(const TomlTable& t) {
@@ -206,6 +183,10 @@ void check_consistency(const TomlTable& t, const Scene& scene) {
         throw t.error("periodic_y", "contradicts", "plates as well", "a period along y or plates",
                       "remove one");
     }
+    if (scene.backing && scene.periodic_x) {
+        throw t.error("backing", "contradicts", "'periodic_x' as well",
+                      "planes across x or a period along x", "remove one");
+    }
     if (!std::isfinite(contact_time(scene))) {
         throw t.error("contact", "is overdamped", fmt::format("eta = {:g}", scene.contact.damping),
                       "2 k/m > (eta/m)^2, so that a collision ends");
@@ -222,7 +203,9 @@ Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
     Scene scene;
     scene.name = selection.name;
     scene.seed = selection.seed;
-    scene.grains = read_grains(t.table("grains"));
+    const TomlTable grains = t.table("grains");
+    scene.grains = read_grains(grains);
+    const SizeSpread sizes = read_sizes(grains);
     scene.contact = read_contact(t.table("contact"), scene.grains.mass);
     if (t.has("plates")) {
         scene.plates = read_plates(t.table("plates"), scene.contact.stiffness);
@@ -230,6 +213,10 @@ Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
     scene.gravity = t.number("gravity", Range::not_negative());
     if (const auto gamma = t.optional_number("gamma", Range::positive())) {
         set_acceleration(t, *gamma, scene);
+    }
+    scene.drag = t.optional_number("drag", Range::not_negative()).value_or(0);
+    if (t.has("backing")) {
+        scene.backing = read_backing(t.table("backing"), scene.contact.stiffness);
     }
     scene.periodic_x = t.optional_number("periodic_x", Range::positive());
     scene.periodic_y = t.optional_number("periodic_y", Range::positive());
@@ -247,7 +234,7 @@ Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
     const InitialStateRecipe recipe = read_initial_state(t.table("initial"));
     t.reject_unknown_keys();
     try {
-        generate_initial_state(scene, recipe);
+        generate_initial_state(scene, recipe, sizes);
     } catch (const std::invalid_argument& error) {
         throw t.error("initial", "cannot be made", error.what(), "a state without contacts");
     }

@@ -1,7 +1,9 @@
 // The four kinds of check and what they may answer. Only `agree` is green.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace crossgrain::compare {
@@ -37,6 +39,19 @@ struct Verdict {
     std::string limit_reason;
     Outcome outcome = Outcome::undecided;
     bool expected = true;
+    /// What was compared with: `difference` is the measured value minus this. Not a number for
+    /// pairs of codes, trends, orders, and while nothing was compared.
+    double reference = std::numeric_limits<double>::quiet_NaN();
+    double reference_error = 0;  ///< standard error of it
+    /// Against non-equivalence and against equivalence (equivalence_power.hpp); not numbers for
+    /// what is no equivalence test.
+    double p_equivalent = std::numeric_limits<double>::quiet_NaN();
+    double p_different = std::numeric_limits<double>::quiet_NaN();
+    /// Of an undecided one: how many more replicas, of each code, would decide if all else stays.
+    std::optional<std::int64_t> more_replicas;
+    /// The outcome when all verdicts of a report are one family (Holm); nothing for verdicts that
+    /// are no claims of statistics.
+    std::optional<Outcome> corrected;
     std::string reason;  ///< one line: why not `agree`, or why a disagreement is expected
 };
 

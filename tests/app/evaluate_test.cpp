@@ -166,3 +166,32 @@ BOOST_AUTO_TEST_CASE(the_certificate_holds_distances_digits_and_the_worst_verdic
     BOOST_CHECK(pair.outcome == Outcome::disagree);
     BOOST_TEST(!pair.expected);
 }
+
+BOOST_AUTO_TEST_CASE(two_codes_with_the_same_output_are_doubted) {
+    const auto statistics = case_with({check_of(CheckKind::agree, 0.3)});
+    const auto same = evaluation_of(statistics, {run_of("a", 0.25, 0.05), run_of("b", 0.25, 0.05)});
+    BOOST_CHECK(same.verdicts.at(0).outcome == Outcome::disagree);
+    auto check = check_of(CheckKind::parity, 1e-3);
+    check.observable = "trajectory";
+    check.at_contact_times = 5;
+    const auto trajectories = case_with({check});
+    // Round-off has grown between a and the others, none at all lies between b and c.
+    const auto grown = evaluation_of(
+        trajectories, {run_of("a", 1, 0), run_of("b", 1 + 1e-6, 0), run_of("c", 1 + 1e-6, 0)});
+    BOOST_CHECK(grown.verdicts.at(0).outcome == Outcome::agree);
+    BOOST_CHECK(grown.verdicts.at(2).outcome == Outcome::disagree);
+    BOOST_TEST(grown.verdicts.at(2).reason.find("same output") != std::string::npos);
+    // Where round-off has not grown, codes may well be the same.
+    const auto early = evaluation_of(
+        trajectories, {run_of("a", 1, 0), run_of("b", 1 + 1e-12, 0), run_of("c", 1 + 1e-12, 0)});
+    BOOST_CHECK(early.verdicts.at(2).outcome == Outcome::agree);
+}
+
+BOOST_AUTO_TEST_CASE(an_undecided_verdict_says_how_many_replicas_it_needs) {
+    const auto the_case = case_with({check_of(CheckKind::agree, 0.3)});
+    const auto unsure = evaluation_of(the_case, {run_of("a", 0, 0.15), run_of("b", 0.1, 0.15)});
+    BOOST_REQUIRE(unsure.verdicts.at(0).more_replicas.has_value());
+    BOOST_TEST(*unsure.verdicts.at(0).more_replicas > 0);
+    const auto sure = evaluation_of(the_case, {run_of("a", 0, 0.02), run_of("b", 0.1, 0.02)});
+    BOOST_TEST(!sure.verdicts.at(0).more_replicas.has_value());
+}

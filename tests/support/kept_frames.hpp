@@ -4,6 +4,7 @@
 #include "cases/scene/frame.hpp"
 #include "cases/scene/scene.hpp"
 #include "tests/support/reference_dem.hpp"
+#include "tests/support/reference_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +20,23 @@ struct KeptFrame {
     explicit KeptFrame(const scene::Frame& frame)
         : step(frame.step), time(frame.time), x(frame.x.begin(), frame.x.end()),
           y(frame.y.begin(), frame.y.end()), vx(frame.vx.begin(), frame.vx.end()),
-          vy(frame.vy.begin(), frame.vy.end()), lid(frame.lid) {}
+          vy(frame.vy.begin(), frame.vy.end()), omega(frame.omega.begin(), frame.omega.end()),
+          lid(frame.lid) {}
 
     [[nodiscard]] scene::Frame view() const {
-        return {.step = step, .time = time, .x = x, .y = y, .vx = vx, .vy = vy, .lid = lid};
+        return {.step = step,
+                .time = time,
+                .x = x,
+                .y = y,
+                .vx = vx,
+                .vy = vy,
+                .lid = lid,
+                .omega = omega};
     }
 
     std::int64_t step;
     double time;
-    std::vector<double> x, y, vx, vy;
+    std::vector<double> x, y, vx, vy, omega;
     std::optional<scene::LidState> lid;
 };
 
@@ -37,8 +46,19 @@ inline std::vector<KeptFrame> reference_frames(const scene::Scene& scene) {
     return frames;
 }
 
-/// Largest difference of any position or velocity in any frame; infinite when the trajectories do
-/// not have the same frames.
+/// Of a frictional scene.
+inline std::vector<KeptFrame> reference_frames(const scene::Scene& scene,
+                                               const scene::FrictionConventions& conventions,
+                                               Coordinates coordinates = Coordinates::unwrapped) {
+    std::vector<KeptFrame> frames;
+    ReferenceFriction(scene, conventions, coordinates).run([&](const scene::Frame& frame) {
+        frames.emplace_back(frame);
+    });
+    return frames;
+}
+
+/// Largest difference of any position, velocity or angular velocity in any frame; infinite when the
+/// trajectories do not have the same frames.
 inline double largest_difference(const std::vector<KeptFrame>& a, const std::vector<KeptFrame>& b) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     if (a.size() != b.size() || a.empty()) return infinite;
@@ -55,6 +75,7 @@ inline double largest_difference(const std::vector<KeptFrame>& a, const std::vec
         compare(a[k].y, b[k].y);
         compare(a[k].vx, b[k].vx);
         compare(a[k].vy, b[k].vy);
+        compare(a[k].omega, b[k].omega);
         if (!a[k].lid) continue;
         compare({a[k].lid->height, a[k].lid->velocity}, {b[k].lid->height, b[k].lid->velocity});
     }

@@ -81,6 +81,33 @@ BOOST_AUTO_TEST_CASE(writing_and_reading_gives_the_same_bits) {
     BOOST_TEST(again[3].lid->height == frames[3].lid->height);
 }
 
+BOOST_AUTO_TEST_CASE(angular_velocities_are_kept_where_there_is_friction) {
+    auto scene = tests::free_lid_collision();
+    scene.contact.friction = scene::Friction{};
+    auto frames = tests::reference_frames(tests::free_lid_collision());
+    for (auto& frame : frames)
+        frame.omega = {0.1 + frame.time, -5e-324};
+    const auto text = written(scene, frames);
+    BOOST_TEST(tests::largest_difference(frames, read(scene, text)) == 0.0);
+    BOOST_TEST(text.find("ITEM: ATOMS id type xu yu vx vy omegaz\n") != std::string::npos);
+    // Without friction the column is not asked for, with friction it must be there.
+    BOOST_TEST(read(tests::free_lid_collision(), text)[0].omega.empty());
+    auto frictional = pair();
+    frictional.contact.friction = scene::Friction{};
+    BOOST_CHECK_THROW((void)read(frictional, header + columns + rows), TrajectoryError);
+}
+
+BOOST_AUTO_TEST_CASE(data_files_hold_sizes_and_spins) {
+    auto scene = pair();
+    scene.contact.friction = scene::Friction{};
+    scene.grains.diameters = {2.0, 0.1 + 0.2};
+    scene.grains.masses = {1.0, 0.1};
+    scene.initial.omega = {0.0, 1.0 / 3};
+    const auto text = adapters::dump::data_file(scene);
+    BOOST_TEST(text.find("\n2 1 0.30000000000000004 1 ") != std::string::npos);
+    BOOST_TEST(text.find(" 0 0 0 0.33333333333333331\n") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(pieces_of_any_size_give_the_same_frames) {
     const auto scene = tests::small_bed(1e-3);
     const auto text = written(scene, tests::reference_frames(scene));

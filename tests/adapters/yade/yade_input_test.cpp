@@ -1,6 +1,7 @@
 // What YADE can express and what is written for it; YADE itself is not needed.
 #include "adapters/yade/yade_code.hpp"
 #include "cases/scene/scene_json.hpp"
+#include "tests/support/frictional_suite.hpp"
 #include "tests/support/scenes.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -13,6 +14,7 @@
 using namespace crossgrain;
 using namespace crossgrain::tests;
 using adapters::YadeCode;
+using scene::Clipping;
 
 namespace {
 
@@ -54,24 +56,61 @@ BOOST_AUTO_TEST_CASE(refuses_a_period_of_two_diameters) {
     BOOST_TEST(reason->find("along y") != std::string::npos);
     scene.periodic_y = 4.1;
     BOOST_TEST(!YadeCode().cannot_express(scene));
+    auto unequal = frictional_pairs(frictional_law());
+    unequal.periodic_y = 4.1;
+    BOOST_TEST(!YadeCode().cannot_express(unequal));
+    unequal.grains.diameters[0] = 2.1;  // the largest counts
+    BOOST_TEST(refuses(YadeCode(), unequal, "along y"));
 }
 
 BOOST_AUTO_TEST_CASE(input_is_the_scripts_unchanged_and_the_scene) {
     const auto scene = small_bed();
     const auto files = YadeCode().input(scene);
-    BOOST_TEST_REQUIRE(files.size() == 3U);
+    BOOST_TEST_REQUIRE(files.size() == 4U);
     BOOST_TEST(files[0].name == "scene.py");
     BOOST_TEST((files[0].text == source_of("scene.py.in")));
     BOOST_TEST(files[1].name == "scene.json");
     // Every digit of every number survives.
     BOOST_TEST((nlohmann::json::parse(files[1].text) == scene::to_json(scene)));
-    BOOST_TEST(files[2].name == "plates.py");
-    BOOST_TEST((files[2].text == source_of("plates.py.in")));
+    BOOST_TEST(files[2].name == "laws.py");
+    BOOST_TEST((files[2].text == source_of("laws.py.in")));
+    BOOST_TEST(files[3].name == "plates.py");
+    BOOST_TEST((files[3].text == source_of("plates.py.in")));
 }
 
 BOOST_AUTO_TEST_CASE(no_plates_no_code_for_plates) {
-    BOOST_TEST(YadeCode().input(small_gas()).size() == 2U);
-    BOOST_TEST(YadeCode().input(free_lid_collision()).size() == 3U);
+    BOOST_TEST(YadeCode().input(small_gas()).size() == 3U);
+    BOOST_TEST(YadeCode().input(free_lid_collision()).size() == 4U);
+    BOOST_TEST(YadeCode().input(pipe_in_small(frictional_law())).size() == 4U);
+}
+
+BOOST_AUTO_TEST_CASE(expresses_friction_in_its_own_conventions) {
+    for (auto law : {frictional_law(5), dashpot_law(), frictional_law(damping, Clipping::none)}) {
+        BOOST_TEST(!YadeCode().cannot_express(frictional_pairs(law)));
+        law.friction->conventions = scene::conventions_named("yade");
+        BOOST_TEST(!YadeCode().cannot_express(frictional_pairs(law)));
+        law.friction->conventions = scene::conventions_named("lammps-granular");
+        BOOST_TEST(refuses(YadeCode(), frictional_pairs(law), "conventions yade or own"));
+    }
+    // It turns a spring in its own way. Without a spring there is no difference to LIGGGHTS.
+    auto law = frictional_law();
+    law.friction->conventions = scene::conventions_named("liggghts");
+    BOOST_TEST(refuses(YadeCode(), frictional_pairs(law), "not as in liggghts"));
+    law = dashpot_law();
+    law.friction->conventions = scene::conventions_named("liggghts");
+    BOOST_TEST(!YadeCode().cannot_express(frictional_pairs(law)));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_what_luding_s_law_is_not) {
+    BOOST_TEST(refuses(YadeCode(), frictional_pairs(frictional_law(5, Clipping::none)),
+                       "tangential damping of 2.23144"));
+    BOOST_TEST(refuses(YadeCode(), frictional_pairs(dashpot_law(Clipping::none)),
+                       "no Coulomb limit on a dashpot"));
+    // Without a dashpot there is no attraction to keep.
+    for (auto law : {frictional_law(5, Clipping::none), dashpot_law(Clipping::none)}) {
+        law.damping = 0;
+        BOOST_TEST(!YadeCode().cannot_express(frictional_pairs(law)));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_script_directs_the_dump_to_the_pipe) {

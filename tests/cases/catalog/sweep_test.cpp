@@ -102,6 +102,22 @@ BOOST_AUTO_TEST_CASE(written_variants_are_crossed_with_the_sweep) {
     BOOST_TEST(contact_time(c.grain_scene(3, 0, 1)) > 0.09);
 }
 
+BOOST_AUTO_TEST_CASE(a_key_of_a_table_of_the_scene_is_swept_by_its_path) {
+    const auto c = load(case_text + "[sweep]\n\"initial.velocity_spread\" = [1.0, 2.0]\n"
+                                    "\"contact.restitution\" = [0.9, 1.0]\n");
+    BOOST_TEST_REQUIRE(c.variants.size() == 4u);
+    BOOST_TEST(c.variants[1].name == "velocity_spread=1/restitution=1");
+    BOOST_TEST(c.variants[2].parameter("velocity_spread").value() == "2");
+    BOOST_TEST(c.grain_scene(1, 0, 1).contact.damping == 0.0);
+    BOOST_TEST(c.grain_scene(2, 0, 1).contact.damping > 0.0);
+    const double slow = c.grain_scene(0, 0, 1).initial.vx[0];
+    BOOST_TEST(c.grain_scene(2, 0, 1).initial.vx[0] == 2 * slow);
+    // What the reader refuses is placed at the sweep's key.
+    const auto e = refusal_of(case_text + "[sweep]\n\"contact.restitution\" = [0.9, 1.5]\n");
+    BOOST_TEST(e.key == "scene.contact.restitution");
+    BOOST_TEST(e.line > 20);
+}
+
 BOOST_AUTO_TEST_CASE(checks_point_at_variants_by_patterns) {
     BOOST_TEST(catalog::matches("P/*", "P/p=0.1"));
     BOOST_TEST(!catalog::matches("P/*", "D/p=0.1"));

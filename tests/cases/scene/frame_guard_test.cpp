@@ -161,3 +161,27 @@ BOOST_AUTO_TEST_CASE(a_grain_that_moves_a_diameter_per_step_is_refused) {
     BOOST_TEST(says(at_speed(0, -2 * limit), "dt = 0.0001 is too large"));
     BOOST_TEST(says(at_speed(0.8 * limit, -0.8 * limit), "moves 1.13 diameters"));
 }
+
+BOOST_AUTO_TEST_CASE(angular_velocities_are_there_and_finite_where_there_is_friction) {
+    auto s = scene_of_three();
+    s.contact.friction = scene::Friction{};
+    const auto with = [&](std::vector<double> omega) {
+        return answer(s, {0}, [&](KeptFrame& frame) { frame.omega = omega; });
+    };
+    BOOST_TEST(with({1, -2}) == "passed");
+    BOOST_TEST(says(with({}), "angular velocities of 0 grains, the scene has 2"));
+    BOOST_TEST(says(with({1}), "angular velocities of 1 grains, the scene has 2"));
+    BOOST_TEST(says(with({1, not_a_number}), "angular velocity of grain 1 is not finite"));
+    BOOST_TEST(says(with({infinite, 0}), "angular velocity of grain 0 is not finite"));
+}
+
+BOOST_AUTO_TEST_CASE(a_step_is_measured_by_the_smallest_grain) {
+    auto s = scene_of_three();
+    s.grains.diameters = {2.0, 0.1};
+    s.grains.masses = {1.0, 1.0};
+    const auto moving = [&](double diameters) {
+        return answer(s, {0}, [&](KeptFrame& frame) { frame.vx[0] = diameters * 0.1 / s.dt; });
+    };
+    BOOST_TEST(moving(0.9) == "passed");
+    BOOST_TEST(says(moving(1.1), "grain 0 moves 1.1 diameters in one time step"));
+}

@@ -86,7 +86,57 @@ const std::vector<Mutation> mutations{
     {"a grain more", [](Scene& s) { tests::add_grain(s, 0, 50, 0, 0); }},
     {"order of grains", [](Scene& s) { std::swap(s.initial.x[0], s.initial.x[1]); }},
     {"frozen", [](Scene& s) { s.initial.frozen[0] = true; }},
-    {"nothing frozen", [](Scene& s) { s.initial.frozen.clear(); }}};
+    {"nothing frozen", [](Scene& s) { s.initial.frozen.clear(); }},
+    {"drag", [](Scene& s) { s.drag = 5e-324; }},
+    {"backing", [](Scene& s) { s.backing = scene::BackingPlanes{.stiffness = 1, .right = 1}; }},
+    {"backing's place",
+     [](Scene& s) { s.backing = scene::BackingPlanes{.stiffness = 1, .right = 2}; }},
+    {"damping scale",
+     [](Scene& s) { s.contact.damping_scale = scene::DampingScale::effective_mass; }},
+    {"friction", [](Scene& s) { s.contact.friction = scene::Friction{}; }},
+    {"dashpot",
+     [](Scene& s) {
+         s.contact.friction = scene::Friction{.force = scene::TangentialForce::dashpot};
+     }},
+    {"coefficient", [](Scene& s) { s.contact.friction = scene::Friction{.coefficient = 1}; }},
+    {"tangential stiffness",
+     [](Scene& s) { s.contact.friction = scene::Friction{.stiffness = 1}; }},
+    {"tangential damping", [](Scene& s) { s.contact.friction = scene::Friction{.damping = 1}; }},
+    {"inertia", [](Scene& s) { s.contact.friction = scene::Friction{.inertia_factor = 0.4}; }},
+    {"conventions",
+     [](Scene& s) {
+         s.contact.friction = scene::Friction{.conventions = scene::FrictionConventions{}};
+     }},
+    {"other conventions",
+     [](Scene& s) {
+         s.contact.friction =
+             scene::Friction{.conventions = scene::conventions_named("lammps-granular")};
+     }},
+    {"omega", [](Scene& s) { s.initial.omega.assign(s.grain_count(), 0); }},
+    {"a spin",
+     [](Scene& s) {
+         s.initial.omega.assign(s.grain_count(), 0);
+         s.initial.omega[3] = 5e-324;
+     }},
+    {"sizes",
+     [](Scene& s) {
+         s.grains.diameters.assign(s.grain_count(), s.grains.diameter);
+         s.grains.masses.assign(s.grain_count(), s.grains.mass);
+     }},
+    {"a size",
+     [](Scene& s) {
+         s.grains.diameters.assign(s.grain_count(), s.grains.diameter);
+         s.grains.masses.assign(s.grain_count(), s.grains.mass);
+         s.grains.diameters[2] = next(s.grains.diameters[2]);
+     }},
+    {"a mass",
+     [](Scene& s) {
+         s.grains.diameters.assign(s.grain_count(), s.grains.diameter);
+         s.grains.masses.assign(s.grain_count(), s.grains.mass);
+         s.grains.masses[2] = next(s.grains.masses[2]);
+     }},
+    {"preparation",
+     [](Scene& s) { s.preparation = scene::Preparation{.steps = 1, .removed = {}}; }}};
 
 }  // namespace
 
@@ -103,7 +153,8 @@ BOOST_AUTO_TEST_CASE(every_field_changes_the_text_and_each_in_its_own_way) {
 
 BOOST_AUTO_TEST_CASE(usual_choices_are_not_written_so_that_older_scenes_keep_their_text) {
     const std::string text = text_of(full_scene());
-    for (const char* key : {"contacts", "precision", "phase"})
+    for (const char* key : {"contacts", "precision", "phase", "drag", "backing", "damping_scale",
+                            "friction", "omega", "diameters", "masses", "preparation"})
         BOOST_TEST(text.find(std::string("\"") + key + '"') == std::string::npos, key);
 }
 

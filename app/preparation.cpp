@@ -1,0 +1,135 @@
+#include "app/preparation.hpp"
+
+#include "app/catalogue.hpp"
+#include "app/digest.hpp"
+#include "cases/scene/preparation.hpp"
+#include "cases/scene/scene_json.hpp"
+#include "native/base/errors.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace crossgrain::app {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::InitialState;
+using scene::Scene;
+
+/// The run that makes the state: one frame at its end.
+Scene preparatory_run(const Scene& given) {
+    Scene start = given;
+    start.name.clear();
+    start.steps = start.frame_every = given.preparation->steps;
+    start.preparation.reset();
+    return start;
+}
+
+std::optional<InitialState> read_state(const fs::path& file) {
+    std::ifstream in(file);
+    if (!in) return std::nullopt;
+    const auto json = nlohmann::json::parse(in);
+    InitialState state;
+    state.x = json.at("x").get<std::vector<double>>();
+    state.y = json.at("y").get<std::vector<double>>();
+    return state;
+}
+
+/// Under another name first, so that a file that is there is complete.
+void write_state(const fs::path& file, const InitialState& state, double speed) {
+    const fs::path unfinished = file.string() + ".part";
+    std::ofstream out(unfinished);
+    // A number of nlohmann::json reads back to the same bits.
+    out << nlohmann::json{{"rms_speed", speed}, {"x", state.x}, {"y", state.y}}.dump() << '\n';
+    out.close();
+    if (!out) {
+        throw CaseError({.file = unfinished.string(),
+                         .problem = "cannot be written",
+                         .expected = "a directory with room in it"});
+    }
+    fs::rename(unfinished, file);
+}
+
+}  // namespace
+
+struct Preparations::Locks {
+    std::mutex guard;
+    std::map<std::string, std::mutex> by_key;
+
+    std::mutex& of(const std::string& key) {
+        const std::lock_guard lock(guard);
+        return by_key[key];
+    }
+};
+
+Preparations::Preparations(fs::path directory, const adapters::GrainCode& engine,
+                           std::string version)
+    : directory_(std::move(directory)), engine_(engine), version_(std::move(version)),
+      locks_(std::make_unique<Locks>()) {}
+
+Preparations::~Preparations() = default;
+
+Preparations preparations_in(const Settings& settings) {
+    const auto* engine =
+        dynamic_cast<const adapters::GrainCode*>(select_codes({"native-dem"}).front());
+    return {fs::absolute(settings.results) / "prepared", *engine, program_version()};
+}
+
+std::shared_ptr<const scene::AnyScene>
+Preparations::prepared(std::shared_ptr<const scene::AnyScene> given, double time_limit,
+                       std::stop_token stop) {
+    const auto* grains = std::get_if<Scene>(given.get());
+    if (grains == nullptr || !grains->preparation) return given;
+    const Scene start = preparatory_run(*grains);
+    const nlohmann::json identity{{"scene", scene::to_json(start)}, {"version", version_}};
+    const std::string key = sha256(identity.dump());
+    InitialState state;
+    {
+        const std::lock_guard lock(locks_->of(key));
+        const fs::path file = directory_ / (key + ".json");
+        auto stored = read_state(file);
+        state = stored ? std::move(*stored) : settled(start, key, time_limit, stop);
+    }
+    return std::make_shared<const scene::AnyScene>(scene::start_of_run(*grains, state));
+}
+
+/// Positions at the end of the preparatory run, which are kept.
+InitialState Preparations::settled(const Scene& start, const std::string& key, double time_limit,
+                                   std::stop_token stop) const {
+    if (const auto refusal = engine_.cannot_express(start)) {
+        throw AdapterError({.code = engine_.name(),
+                            .reason = "cannot prepare the initial state: " + *refusal,
+                            .command = {},
+                            .exit = {},
+                            .log_tail = {},
+                            .directory = {}});
+    }
+    const fs::path work = directory_ / (key.substr(0, 16) + ".run");
+    fs::create_directories(work);
+    InitialState state;
+    double squares = 0;
+    engine_.run(start, {.directory = work, .time_limit = time_limit, .stop = stop},
+                [&](const scene::Frame& frame) {
+                    state.x.assign(frame.x.begin(), frame.x.end());
+                    state.y.assign(frame.y.begin(), frame.y.end());
+                    squares =
+                        std::inner_product(frame.vx.begin(), frame.vx.end(), frame.vx.begin(), 0.0);
+                    squares = std::inner_product(frame.vy.begin(), frame.vy.end(), frame.vy.begin(),
+                                                 squares);
+                });
+    write_state(directory_ / (key + ".json"), state,
+                std::sqrt(squares / static_cast<double>(start.grain_count())));
+    std::error_code ignored;  // left-overs do no harm
+    fs::remove_all(work, ignored);
+    return state;
+}
+
+}  // namespace crossgrain::app
