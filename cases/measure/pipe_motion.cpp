@@ -149,7 +149,7 @@ void PipeMotion::finish(Results& results) {
     const auto append = [&](const char* name, std::span<const double> series, const char* unit,
                             double factor = 1) {
         const auto mean = blocked_mean(series);
-        if (!mean) return;
+        if (!mean || mean->blocks <= 2) return;  // it drifts: no steady state has a mean
         results.measurements.push_back({.observable = name,
                                         .value = factor * mean->value,
                                         .standard_error = factor * mean->standard_error,

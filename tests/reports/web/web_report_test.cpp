@@ -36,7 +36,7 @@ struct Folder {
 
     fs::path assets() const {
         for (const char* name :
-             {"index.html", "history.html", "style.css", "plotly-cartesian.min.js", "summary.js"})
+             {"index.html", "history.html", "charts.html", "style.css", "plotly-cartesian.min.js", "summary.js"})
             reports::write_file_atomically(path / "assets" / name, name);
         return path / "assets";
     }
