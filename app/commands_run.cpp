@@ -1,6 +1,7 @@
 // crossgrain run | compare | certify | validate | report | history.
 #include "adapters/process/find_program.hpp"
 #include "adapters/process/process.hpp"
+#include "app/attribution.hpp"
 #include "app/commands.hpp"
 #include "app/compare_summary.hpp"
 #include "app/documents.hpp"
@@ -137,13 +138,19 @@ int compare_cases(const Settings& settings) {
 
 int certify_cases(const Settings& settings, std::stop_token stop) {
     Settings parity = settings;
-    if (parity.cases.empty()) parity.cases = {"gas-parity", "bed-parity"};
+    if (parity.cases.empty()) {
+        parity.cases = {"gas-parity", "bed-parity", "gas-friction"};
+        if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
+    }
     store::Store store(settings.results);
     const auto report = run_session(parity, store, std::move(stop), true);
     if (settings.json) {
-        fmt::print("{}\n", certificate_document(report).dump(2));
+        auto document = certificate_document(report);
+        document["attribution"] = attribution_document(report);
+        fmt::print("{}\n", document.dump(2));
     } else {
-        fmt::print("{}{}", certificate_table(report), exceptions_list(report));
+        fmt::print("{}{}{}", certificate_table(report), exceptions_list(report),
+                   attribution_table(report));
     }
     return close_session(report, parity);
 }

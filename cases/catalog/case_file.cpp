@@ -98,7 +98,7 @@ std::vector<ChartedError> read_charted(const TomlTable& t) {
 Replicas read_replicas(const TomlTable& t) {
     Replicas replicas;
     for (const auto& key : t.keys()) {
-        const std::int64_t count = t.integer(key, 1);
+        const std::int64_t count = t.integer(key, key == "default" ? 1 : 0);
         if (key == "default") {
             replicas.standard = count;
         } else {

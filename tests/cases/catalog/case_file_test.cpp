@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(options_of_an_observable_arrive_with_their_place) {
 BOOST_AUTO_TEST_CASE(replicas_are_one_unless_the_file_says_otherwise) {
     const auto c = load(replaced(case_text, "replicas = { default = 2, lammps = 3 }", ""));
     BOOST_TEST(c.replicas.of("native-dem") == 1);
+    BOOST_TEST(load(replaced(case_text, "lammps = 3", "lammps = 0")).replicas.of("lammps") == 0);
     BOOST_TEST(refusal_with("default = 2", "default = 0").key == "replicas.default");
     BOOST_TEST(refusal_with("lammps = 3", "lammps = -3").key == "replicas.lammps");
 }
