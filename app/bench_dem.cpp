@@ -109,7 +109,7 @@ void bench_wide_bed(const BenchOptions& options, const dem::State& state, std::i
     if (adapters::LammpsCode().probe().installed && adapters::process::find_program("mpirun") &&
         grains <= 100000) {
         round.add(lammps(
-            options, [&](std::int64_t n) { return scene_of(state, n); }, 2, 0.5, 2));
+            options, [&](std::int64_t n) { return scene_of(state, n); }, 2, 2, 2));
     }
     round.run(frequency, report);
     for (const char* name : {native_double, native_mixed}) {

@@ -138,9 +138,9 @@ void add_programs(Round& round, const BenchOptions& options, const SceneOf& scen
         }
         return availability.installed;
     };
-    if (present(lammps_code)) round.add(lammps(options, scene, 1, 1, 2));
-    if (present(liggghts)) round.add(program(liggghts, options, scene, 0.5, 2));
-    if (present(yade)) round.add(program(yade, options, scene, 0.3, 5));
+    if (present(lammps_code)) round.add(lammps(options, scene, 1, 5, 2));
+    if (present(liggghts)) round.add(program(liggghts, options, scene, 2, 2));
+    if (present(yade)) round.add(program(yade, options, scene, 1, 5));
 }
 
 }  // namespace crossgrain::app

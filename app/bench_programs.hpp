@@ -1,5 +1,6 @@
 // Foreign codes as contenders of a bench. The time of a short run is taken off that of a long one:
-// what is left is steps.
+// what is left is steps. So the steps must take much longer than what a start varies by: programs
+// are given several times the steps of a kernel that starts at once.
 #pragma once
 
 #include "adapters/code.hpp"

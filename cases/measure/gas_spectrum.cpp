@@ -105,16 +105,22 @@ PeakSearch GasSpectrum::peak_search() const {
             .last = static_cast<std::size_t>(std::floor(options_.v_max * k_per_velocity))};
 }
 
-double GasSpectrum::velocity_error() const {
+double GasSpectrum::velocity_error(const std::vector<double>& mean) const {
     const std::size_t groups = std::min<std::size_t>(16, replicas_);
     if (groups < 2) return 0;
+    const auto n = static_cast<double>(replicas_);
     std::vector<double> velocities;
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t first = g * replicas_ / groups, next = (g + 1) * replicas_ / groups;
-        const auto peak = find_peak(spectrum(first, next - 1), peak_search());
+        const auto own = spectrum(first, next - 1);
+        const auto share = static_cast<double>(next - first);
+        std::vector<double> without(mean.size());
+        for (std::size_t k = 0; k < mean.size(); ++k)
+            without[k] = (n * mean[k] - share * own[k]) / (n - share);
+        const auto peak = find_peak(without, peak_search());
         if (peak) velocities.push_back(velocity(peak->k));
     }
-    return velocities.size() < 2 ? 0 : mean_with_error(velocities).standard_error;
+    return velocities.size() < 2 ? 0 : jackknife_error(velocities);
 }
 
 std::optional<SpectrumPeak> GasSpectrum::add_wave(const std::vector<double>& mean,
@@ -134,7 +140,7 @@ std::optional<SpectrumPeak> GasSpectrum::add_wave(const std::vector<double>& mea
     if (!peak->significant) return peak;
     results.measurements.push_back({.observable = "wave_velocity",
                                     .value = velocity(peak->k),
-                                    .standard_error = velocity_error(),
+                                    .standard_error = velocity_error(mean),
                                     .systematic = velocity(0.5),
                                     .n = replicas_,
                                     .unit = "sites/step",

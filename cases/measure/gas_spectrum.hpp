@@ -19,7 +19,8 @@
 //
 // v = L f/T0, T0 the steps between records: the peak of spectrum_peak.hpp between v_min and v_max;
 // above lie free fall (v = 1) and harmonics, below the background of slow changes. Standard error:
-// scatter of the peaks of up to 16 groups of replicas; systematic error: half of a frequency step.
+// jackknife over up to 16 groups of replicas (a weak peak stands out of all of them, not of one);
+// systematic error: half of a frequency step.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
@@ -70,7 +71,7 @@ class GasSpectrum final : public GasEstimator {
     [[nodiscard]] double velocity(double k) const;
     [[nodiscard]] std::optional<SpectrumPeak> add_wave(const std::vector<double>& mean,
                                                        Results& results) const;
-    [[nodiscard]] double velocity_error() const;
+    [[nodiscard]] double velocity_error(const std::vector<double>& mean) const;
     void add_alpha(const std::vector<double>& mean, double f_max, Results& results) const;
     [[nodiscard]] double alpha_error(const std::vector<double>& mean, FrequencyWindow window) const;
     void add_series(const std::vector<double>& mean, Results& results) const;
