@@ -94,12 +94,13 @@ std::vector<PlannedRun> plan(const catalog::Case& the_case,
     const auto codes = codes_for(the_case, selected);
     std::map<const adapters::Code*, adapters::Availability> availability;
     std::int64_t most = 0;
-    const auto replicas_of = [&](const adapters::Code* code) {
-        return settings.replicas.value_or(the_case.replicas.of(code->name()));
+    const auto replicas_of = [&](const adapters::Code* code, const catalog::Variant& variant) {
+        return settings.replicas.value_or(the_case.replicas.of(code->name(), variant.name));
     };
     for (const auto* code : codes) {
         availability[code] = code->probe();
-        most = std::max(most, replicas_of(code));
+        for (const auto& variant : the_case.variants)
+            most = std::max(most, replicas_of(code, variant));
     }
     std::vector<PlannedRun> runs;
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
@@ -108,7 +109,7 @@ std::vector<PlannedRun> plan(const catalog::Case& the_case,
                 const auto scene = std::make_shared<const scene::AnyScene>(the_case.scene(
                     variant, rung, settings.seed + static_cast<std::uint64_t>(replica)));
                 for (const auto* code : codes) {
-                    if (replica >= replicas_of(code)) continue;
+                    if (replica >= replicas_of(code, the_case.variants[variant])) continue;
                     PlannedRun run = planned_run(the_case, *code, scene, settings);
                     run.variant = variant;
                     run.rung = rung;

@@ -110,7 +110,9 @@ struct Variant {
 struct Replicas {
     std::int64_t standard = 1;
     std::map<std::string, std::int64_t> by_code;
-    [[nodiscard]] std::int64_t of(const std::string& code) const;
+    /// By variant (name or glob): how many times as many, where single runs scatter more.
+    std::map<std::string, std::int64_t> times_in;
+    [[nodiscard]] std::int64_t of(const std::string& code, const std::string& variant = "") const;
 };
 
 class Case {

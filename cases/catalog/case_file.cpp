@@ -155,9 +155,13 @@ TomlTable Case::Source::scene_table(std::size_t variant) const {
     return {file, "scene", std::move(layers)};
 }
 
-std::int64_t Replicas::of(const std::string& code) const {
+std::int64_t Replicas::of(const std::string& code, const std::string& variant) const {
     const auto found = by_code.find(code);
-    return found == by_code.end() ? standard : found->second;
+    std::int64_t count = found == by_code.end() ? standard : found->second;
+    for (const auto& [pattern, times] : times_in) {
+        if (matches(pattern, variant)) count *= times;
+    }
+    return count;
 }
 
 CaseError Case::Source::placed(const CaseError& error) const {
@@ -221,6 +225,9 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     source->written = written.size();
     result.variants = cross(source->sweep, written);
     result.replicas = read_replicas(t.table("replicas"));
+    const TomlTable more = t.table("replicas_in");
+    for (const auto& pattern : more.keys())
+        result.replicas.times_in[pattern] = more.integer(pattern, 1);
     result.observables = read_observables(t);
     result.fits = read_fits(t);
     result.checks = read_checks(t);

@@ -12,16 +12,15 @@ namespace {
 
 using toml_input::TomlTable;
 
-void require_variant(const Case& the_case, const Check& check, const char* key,
-                     const std::string& pattern) {
+void require_variant(const Case& the_case, int line, const char* key, const std::string& pattern) {
     std::vector<std::string> names;
     for (const auto& variant : the_case.variants) {
         if (matches(pattern, variant.name)) return;
         names.push_back(variant.name);
     }
     throw CaseError({.file = the_case.file,
-                     .line = check.line,
-                     .key = fmt::format("check.{}", key),
+                     .line = line,
+                     .key = key,
                      .problem = "names no variant",
                      .got = fmt::format("\"{}\"", pattern),
                      .expected = fmt::format("one of {}", fmt::join(names, ", "))});
@@ -77,13 +76,15 @@ bool matches(const std::string& pattern, const std::string& name) {
 }
 
 void check_variant_names(const Case& the_case) {
+    for (const auto& [pattern, times] : the_case.replicas.times_in)
+        require_variant(the_case, 0, "replicas_in", pattern);
     for (const auto& check : the_case.checks) {
         for (const auto& pattern : check.variants)
-            require_variant(the_case, check, "variants", pattern);
+            require_variant(the_case, check.line, "check.variants", pattern);
         for (const auto& name : check.between)
-            require_variant(the_case, check, "between", name);
+            require_variant(the_case, check.line, "check.between", name);
         for (const auto& [pattern, outcome] : check.expect_in)
-            require_variant(the_case, check, "expect_in", pattern);
+            require_variant(the_case, check.line, "check.expect_in", pattern);
         if (!is_trend(check.aspect)) continue;
         const auto& parameters = the_case.variants.front().parameters;
         const bool swept = std::any_of(parameters.begin(), parameters.end(),

@@ -37,6 +37,16 @@ BOOST_AUTO_TEST_CASE(a_variant_is_laid_over_the_scene) {
     BOOST_TEST(c.grain_scene(0, 0, 1).dt == 1e-3);  // what it leaves out stays
 }
 
+BOOST_AUTO_TEST_CASE(a_variant_can_have_more_replicas_than_the_others) {
+    const auto c = load(replaced(two_variants, "[scene]", "replicas_in = { hard = 5 }\n[scene]"));
+    BOOST_TEST(c.replicas.of("lammps", "hard") == 15);
+    BOOST_TEST(c.replicas.of("lammps", "ladder") == 3);
+    BOOST_TEST(c.replicas.of("native-dem", "hard") == 10);
+    BOOST_TEST(
+        refusal_of(replaced(two_variants, "[scene]", "replicas_in = { heavy = 5 }\n[scene]")).key ==
+        "replicas_in");
+}
+
 BOOST_AUTO_TEST_CASE(a_ladder_has_one_scene_per_time_step) {
     const auto c = load(two_variants);
     BOOST_TEST(c.variants[1].rungs == 3u);
