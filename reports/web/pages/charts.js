@@ -161,13 +161,13 @@ window.crossgrain = window.crossgrain || {};
   function failures(item) {
     const all = list(item.failures);
     if (all.length === 0) return el("p", { class: "note" }, "Nothing of this ladder failed.");
-    const columns = [{ title: "code" }, { title: "status" }, { title: "rungs" }, { title: "reason" }];
+    const columns = [{ title: "code" }, { title: "status" }, { title: "reason" }, { title: "rungs" }];
     const rows = all.map((failure) => [
       crossgrain.codes.label(failure.code),
       crossgrain.outcomes.describe(failure.status).word,
-      failure.variants.slice(0, 3).join(", ") +
-        (failure.variants.length > 3 ? " and " + (failure.variants.length - 3) + " more" : ""),
       failure.reason,
+      failure.variants[0] +
+        (failure.variants.length > 1 ? " and " + (failure.variants.length - 1) + " more" : ""),
     ]);
     return table({ caption: "Not in the charts of " + item.case, columns, rows, className: "compact" });
   }
