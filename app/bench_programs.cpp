@@ -85,6 +85,13 @@ adapters::RunCost run_lammps(const scene::Scene& scene, double skin, int ranks,
 
 }  // namespace
 
+std::optional<std::string> cannot_take_part(const adapters::GrainCode& code,
+                                            const scene::Scene& scene) {
+    const auto availability = code.probe();
+    if (!availability.installed) return availability.reason;
+    return code.cannot_express(scene);
+}
+
 Contender program(const adapters::GrainCode& code, const BenchOptions& options,
                   const SceneOf& scene, double share, int every) {
     return {code.name(),
@@ -113,7 +120,7 @@ Contender lammps(const BenchOptions& options, const SceneOf& scene, int ranks, d
                 };
                 if (*best > 0) return with(*best);
                 Turn fastest;
-                for (const double skin : {0.3, 0.5, 0.7, 1.0}) {
+                for (const double skin : {0.15, 0.25, 0.35, 0.5, 0.7, 1.0}) {
                     const Turn turn = with(skin);
                     const auto net = [](const Turn& t) { return t.cost.cpu_s - t.start.cpu_s; };
                     if (*best == 0 || net(turn) < net(fastest)) {
@@ -132,11 +139,9 @@ void add_programs(Round& round, const BenchOptions& options, const SceneOf& scen
     static const adapters::LiggghtsCode liggghts;
     static const adapters::YadeCode yade;
     const auto present = [&](const adapters::GrainCode& code) {
-        const auto availability = code.probe();
-        if (!availability.installed) {
-            report.notes.push_back(fmt::format("{}: {}", code.name(), availability.reason));
-        }
-        return availability.installed;
+        const auto reason = cannot_take_part(code, scene(1));
+        if (reason) report.notes.push_back(fmt::format("{}: {}", code.name(), *reason));
+        return !reason;
     };
     if (present(lammps_code)) round.add(lammps(options, scene, 1, 5, 2));
     if (present(liggghts)) round.add(program(liggghts, options, scene, 2, 2));

@@ -8,12 +8,19 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace crossgrain::app {
 
 /// The scene to be run for so many steps.
 using SceneOf = std::function<scene::Scene(std::int64_t steps)>;
 
+/// Why the code sits out: not installed, or it cannot express the scene.
+[[nodiscard]] std::optional<std::string> cannot_take_part(const adapters::GrainCode& code,
+                                                          const scene::Scene& scene);
+
+/// Every code of ours or others, through its adapter.
 [[nodiscard]] Contender program(const adapters::GrainCode& code, const BenchOptions& options,
                                 const SceneOf& scene, double share, int every);
 
