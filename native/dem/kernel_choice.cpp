@@ -26,7 +26,8 @@ std::optional<std::string> why_not_simd(const Parameters& p, const State& s) {
         return "the simd kernel needs a period of 8 diameters or more";
     }
     if (s.x.empty()) return "there are no grains";
-    if (double_step_functions(p).lanes == 0) return "this processor has no vectors that serve";
+    if (double_step_functions(p).group.lanes == 0)
+        return "this processor has no vectors that serve";
     return std::nullopt;
 }
 

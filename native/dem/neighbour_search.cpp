@@ -1,7 +1,6 @@
 #include "native/dem/neighbour_search.hpp"
 
 #include <algorithm>
-#include <array>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -18,20 +17,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using DI = hn::RebindToUnsigned<D>;
 
-/// The neighbours of one grain, those that are likely to touch soon before the others.
+/// Writes the neighbours of one grain behind those of the grains before it.
 class Search {
   public:
-    HWY_INLINE Search(const CellView& cells, std::size_t grain)
-        : cells_(cells), grain_(hn::Set(DI(), static_cast<std::uint32_t>(grain))),
-          y_(hn::Set(D(), cells.y[grain])), near_limit_(hn::Set(D(), cells.near_squared)),
-          range_limit_(hn::Set(D(), cells.range_squared)) {}
+    HWY_INLINE Search(const CellView& cells, std::size_t grain, FoundNeighbours& found,
+                      std::size_t first)
+        : cells_(cells), numbers_(found.neighbours.data() + first),
+          distances_(found.distances_squared.data() + first),
+          grain_(hn::Set(DI(), static_cast<std::uint32_t>(grain))),
+          y_(hn::Set(D(), cells.y[grain])), range_limit_(hn::Set(D(), cells.range_squared)),
+          near_limit_(hn::Set(D(), cells.near_squared)) {}
 
     /// Candidates first ... end - 1, for a grain at x from the left of their column. Returns
     /// whether one of them was a neighbour.
     HWY_INLINE bool Look(std::size_t first, std::size_t end, float x) {
         const D d;
         const DI di;
-        const std::size_t before = near_count + far_count;
+        const std::size_t before = count;
         for (std::size_t j = first; j < end; j += hn::Lanes(d)) {
             const auto dx = hn::Sub(hn::Set(d, x), hn::LoadU(d, cells_.x.data() + j));
             const auto dy = hn::Sub(y_, hn::LoadU(d, cells_.y.data() + j));
@@ -40,38 +42,44 @@ class Search {
             const auto within = hn::And(hn::FirstN(d, end - j),
                                         hn::And(hn::Lt(r_squared, range_limit_),
                                                 hn::RebindMask(d, hn::Ne(numbers, grain_))));
-            const auto is_near = hn::And(within, hn::Lt(r_squared, near_limit_));
-            const auto is_far = hn::AndNot(is_near, within);
             // Not CompressStore: to memory it takes a hundred cycles on some machines.
-            hn::StoreU(hn::Compress(numbers, hn::RebindMask(di, is_near)), di,
-                       near.data() + near_count);
-            hn::StoreU(hn::Compress(numbers, hn::RebindMask(di, is_far)), di,
-                       far.data() + far_count);
-            near_count += hn::CountTrue(d, is_near);
-            far_count += hn::CountTrue(d, is_far);
-            if (near_count + far_count > FoundNeighbours::most) break;
+            hn::StoreU(hn::Compress(numbers, hn::RebindMask(di, within)), di, numbers_ + count);
+            hn::StoreU(hn::Compress(r_squared, within), d, distances_ + count);
+            count += hn::CountTrue(d, within);
+            near_count += hn::CountTrue(d, hn::And(within, hn::Lt(r_squared, near_limit_)));
+            if (count > FoundNeighbours::most) break;
         }
-        return near_count + far_count > before;
+        return count > before;
     }
 
-    // Room for a whole vector after the last one that is let pass.
-    std::array<std::uint32_t, FoundNeighbours::most + 64> near, far;
-    std::size_t near_count = 0, far_count = 0;
+    std::size_t count = 0, near_count = 0;
 
   private:
     const CellView& cells_;
+    std::uint32_t* HWY_RESTRICT numbers_;
+    float* HWY_RESTRICT distances_;
     hn::Vec<DI> grain_;
-    hn::Vec<D> y_, near_limit_, range_limit_;
+    hn::Vec<D> y_, range_limit_, near_limit_;
 };
 
+/// Room for all neighbours of one more grain and a whole vector behind the last that is let pass.
+void MakeRoom(FoundNeighbours& found, std::size_t behind) {
+    const std::size_t needed = behind + FoundNeighbours::most + 64;
+    if (found.neighbours.size() >= needed) return;
+    found.neighbours.resize(2 * needed);
+    found.distances_squared.resize(2 * needed);
+}
+
 void Find(const CellView& cells, std::size_t first, std::size_t last, FoundNeighbours& found) {
-    found.neighbours.clear();
-    found.counts.clear();
-    found.crosses.clear();
+    found.counts.resize(last - first);
+    found.crosses.resize(last - first);
+    found.near_counts.resize(last - first);
+    std::size_t next = 0;
     for (std::size_t i = first; i < last; ++i) {
-        Search search(cells, i);
+        MakeRoom(found, next);
+        Search search(cells, i, found, next);
         const std::size_t column = cells.cell[i] / cells.rows;
-        const std::size_t row = cells.cell[i] % cells.rows;
+        const std::size_t row = cells.cell[i] - column * cells.rows;
         const std::size_t low = row > 0 ? row - 1 : 0;
         const std::size_t high = std::min(row + 1, cells.rows - 1);
         const auto look = [&](std::size_t in_column, float shift) HWY_ATTR {
@@ -91,20 +99,14 @@ void Find(const CellView& cells, std::size_t first, std::size_t last, FoundNeigh
         } else if (cells.periodic) {
             crosses = look(0, -cells.column_width) || crosses;
         }
-        const std::size_t count = search.near_count + search.far_count;
-        if (count > FoundNeighbours::most) {
+        if (search.count > FoundNeighbours::most) {
             found.crowded = true;
             return;
         }
-        const auto end_of = [](auto& values, std::size_t n) {
-            return values.begin() + static_cast<std::ptrdiff_t>(n);
-        };
-        found.neighbours.insert(found.neighbours.end(), search.near.begin(),
-                                end_of(search.near, search.near_count));
-        found.neighbours.insert(found.neighbours.end(), search.far.begin(),
-                                end_of(search.far, search.far_count));
-        found.counts.push_back(static_cast<std::uint32_t>(count));
-        found.crosses.push_back(crosses ? 1 : 0);
+        found.near_counts[i - first] = static_cast<std::uint32_t>(search.near_count);
+        found.counts[i - first] = static_cast<std::uint32_t>(search.count);
+        found.crosses[i - first] = crosses ? 1 : 0;
+        next += search.count;
     }
 }
 

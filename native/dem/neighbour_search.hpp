@@ -19,16 +19,19 @@ struct CellView {
     std::size_t columns = 1, rows = 1;
     float column_width = 0;
     bool periodic = false;
-    float near_squared = 0;   ///< neighbours nearer than this come first
+    float near_squared = 0;   ///< nearer than this is likely to touch while the list lasts
     float range_squared = 0;  ///< beyond this there are none
 };
 
 /// The neighbours of some grains, one after the other.
 struct FoundNeighbours {
-    std::vector<std::uint32_t> neighbours;  ///< flat
+    std::vector<std::uint32_t> neighbours;  ///< flat; what is beyond the last one means nothing
+    std::vector<float> distances_squared;   ///< of the neighbours, likewise
     std::vector<std::uint32_t> counts;      ///< shape (grains asked for)
-    std::vector<std::uint8_t> crosses;      ///< shape (grains asked for): across the period
-    bool crowded = false;                   ///< a grain has more than `most`: gave up
+    std::vector<std::uint32_t>
+        near_counts;                    ///< shape (grains asked for): of them, nearer than near
+    std::vector<std::uint8_t> crosses;  ///< shape (grains asked for): across the period
+    bool crowded = false;               ///< a grain has more than `most`: gave up
     static constexpr std::size_t most = 256;
 };
 

@@ -1,30 +1,40 @@
 #include "native/dem/padded_list.hpp"
 
 #include "native/base/errors.hpp"
+#include "native/dem/row_order.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace crossgrain::dem {
 namespace {
 
-/// Grains that are sorted among each other by number of neighbours; a multiple of all lanes.
-constexpr std::size_t window = 64;
+/// Grains that are sorted among each other by number of neighbours; a multiple of all lanes. More
+/// would make groups more alike and their neighbours farther apart in memory.
+constexpr std::size_t window = 256;
 
-struct Bounds {
-    double low = 0, high = 0;
-};
+/// More neighbours than this less one do not count when grains are sorted.
+constexpr std::size_t most_ranked = 12;
 
-Bounds bounds_of(std::span<const double> values) {
-    Bounds bounds{values.front(), values.front()};
-    for (const double value : values) {
-        bounds.low = std::min(bounds.low, value);
-        bounds.high = std::max(bounds.high, value);
+Bounds bounds_of(std::span<const double> values, ThreadTeam& team) {
+    std::vector<Bounds> parts(team.size(), {values.front(), values.front()});
+    team.split(values.size(), 1, [&](std::size_t begin, std::size_t end, std::size_t thread) {
+        Bounds part{values[begin], values[begin]};
+        for (std::size_t i = begin; i < end; ++i) {
+            part.low = std::min(part.low, values[i]);
+            part.high = std::max(part.high, values[i]);
+        }
+        parts[thread] = part;
+    });
+    for (const Bounds& part : parts) {
+        parts.front().low = std::min(parts.front().low, part.low);
+        parts.front().high = std::max(parts.front().high, part.high);
     }
-    return bounds;
+    return parts.front();
 }
 
 std::size_t cells_along(double length, double range, std::size_t most) {
@@ -39,14 +49,13 @@ std::size_t cell_of(double offset, double per_length, std::size_t cells) {
 }  // namespace
 
 void PaddedListMaker::set_cells(std::span<const double> x, std::span<const double> y,
-                                const PaddedListShape& shape) {
-    const Bounds in_x = shape.period_x ? Bounds{0.0, *shape.period_x} : bounds_of(x);
-    const Bounds in_y = bounds_of(y);
+                                const PaddedListShape& shape, ThreadTeam& team) {
+    const Bounds in_x = shape.period_x ? Bounds{0.0, *shape.period_x} : bounds_of(x, team);
+    const Bounds in_y = heights_ = bounds_of(y, team);
     const double range = shape.diameter + shape.skin;
     const double height = std::max(in_y.high - in_y.low, range);
     const double width = std::max(in_x.high - in_x.low, range);
     low_x_ = in_x.low;
-    low_y_ = in_y.low;
     // A dilute system gets fewer, larger cells.
     const std::size_t most = 4 * x.size() + 64;
     // Rounding of positions as floats must not cost a pair, nor put one out of the next cell.
@@ -61,20 +70,21 @@ void PaddedListMaker::set_cells(std::span<const double> x, std::span<const doubl
     const double listed = range + slack;
     // What is as near as this is likely to touch before the list is used up.
     const double near = shape.diameter + shape.skin / 4;
-    cells_.range_squared = static_cast<float>(listed * listed);
     cells_.near_squared = static_cast<float>(near * near);
+    cells_.range_squared = static_cast<float>(listed * listed);
+    slack_ = slack;
 }
 
 void PaddedListMaker::sort_by_cell(std::span<const double> x, std::span<const double> y,
                                    const PaddedListShape& shape, ThreadTeam& team) {
-    set_cells(x, y, shape);
+    set_cells(x, y, shape, team);
     const std::size_t grains = x.size();
     std::vector<std::uint32_t> cell(grains);
-    team.split(grains, 1, [&](std::size_t begin, std::size_t end) {
+    team.split(grains, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t i = begin; i < end; ++i) {
             cell[i] = static_cast<std::uint32_t>(
                 cell_of(x[i] - low_x_, per_width_, cells_.columns) * cells_.rows +
-                cell_of(y[i] - low_y_, per_height_, cells_.rows));
+                cell_of(y[i] - heights_.low, per_height_, cells_.rows));
         }
     });
     cells_.start.assign(cells_.columns * cells_.rows + 1, 0);
@@ -89,13 +99,13 @@ void PaddedListMaker::sort_by_cell(std::span<const double> x, std::span<const do
     cells_.cell.resize(grains);
     cells_.x.resize(grains + CellView::padding);
     cells_.y.resize(grains + CellView::padding);
-    team.split(grains, 1, [&](std::size_t begin, std::size_t end) {
+    team.split(grains, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t place = begin; place < end; ++place) {
             const std::uint32_t i = by_cell_[place];
             cells_.cell[place] = cell[i];
             const double left = low_x_ + static_cast<double>(cell[i] / cells_.rows) / per_width_;
             cells_.x[place] = static_cast<float>(x[i] - left);
-            cells_.y[place] = static_cast<float>(y[i] - low_y_);
+            cells_.y[place] = static_cast<float>(y[i] - heights_.low);
         }
     });
 }
@@ -113,23 +123,23 @@ void PaddedListMaker::find(Part& part) {
     }
 }
 
-/// Most neighbours first, equal numbers as they were: a counting sort of each window.
+/// Most near neighbours first, then most neighbours, equal numbers as they were: a counting sort of
+/// each window.
 void PaddedListMaker::sort_windows(Part& part) {
     const std::size_t offset = part.first_window * window;
     const std::size_t end = std::min(part.last_window * window, by_cell_.size());
     for (std::size_t first = offset; first < end; first += window) {
         const std::size_t last = std::min(first + window, end);
-        std::array<std::uint32_t, FoundNeighbours::most + 2> starts{};
+        std::array<std::uint32_t, most_ranked * most_ranked + 1> starts{};
         const auto rank = [&](std::size_t i) {
-            return FoundNeighbours::most - part.found.counts[i - offset];
+            const auto near =
+                std::min<std::size_t>(part.found.near_counts[i - offset], most_ranked - 1);
+            const auto all = std::min<std::size_t>(part.found.counts[i - offset], most_ranked - 1);
+            return (most_ranked - 1 - near) * most_ranked + most_ranked - 1 - all;
         };
-        std::size_t lowest = FoundNeighbours::most, highest = 0;
-        for (std::size_t i = first; i < last; ++i) {
+        for (std::size_t i = first; i < last; ++i)
             ++starts[rank(i) + 1];
-            lowest = std::min(lowest, rank(i));
-            highest = std::max(highest, rank(i));
-        }
-        for (std::size_t r = lowest + 1; r <= highest; ++r)
+        for (std::size_t r = 1; r < starts.size(); ++r)
             starts[r] += starts[r - 1];
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t place = first + starts[rank(i)]++;
@@ -141,19 +151,26 @@ void PaddedListMaker::sort_windows(Part& part) {
 }
 
 void PaddedListMaker::write_rows(Part& part, const PaddedListShape& shape, PaddedList& list) const {
-    const std::size_t lanes = shape.lanes;
+    const std::size_t lanes = shape.group.lanes;
     const std::size_t grains = by_cell_.size();
     const std::size_t groups = (grains + lanes - 1) / lanes;
     const std::size_t offset = part.first_window * window;
     const auto size = static_cast<std::uint32_t>(shape.record_size);
     const auto dummy = static_cast<std::uint32_t>(groups * lanes) * size;
+    // Rounded down, so that no row comes too late.
+    const auto least_gap = [&](float distance_squared) {
+        return std::sqrt(distance_squared) - static_cast<float>(shape.diameter + slack_);
+    };
+    constexpr float never = std::numeric_limits<float>::infinity();
+    const OrderRows order_rows = order_rows_function();
     part.rows.clear();
     part.offsets.clear();
+    part.gaps.clear();
     const std::size_t last_group = std::min(part.last_window * window / lanes, groups);
     for (std::size_t group = offset / lanes; group < last_group; ++group) {
         // Lanes beyond the last grain repeat it.
         const auto grain = [&](std::size_t lane) {
-            return from_[std::min(group * lanes + lane, grains - 1)];
+            return from_[std::min(group * lanes + shape.group.place_of_lane(lane), grains - 1)];
         };
         std::uint32_t rows = 0;
         std::uint8_t crosses = 0;
@@ -163,12 +180,22 @@ void PaddedListMaker::write_rows(Part& part, const PaddedListShape& shape, Padde
         }
         const std::size_t base = part.offsets.size();
         part.offsets.resize(base + rows * lanes, dummy);
+        part.distances_squared.assign(rows * lanes, never);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t i = grain(lane);
             const auto* neighbours = part.found.neighbours.data() + first_neighbour_[i];
-            for (std::size_t row = 0; row < part.found.counts[i - offset]; ++row)
+            const auto* distances = part.found.distances_squared.data() + first_neighbour_[i];
+            for (std::size_t row = 0; row < part.found.counts[i - offset]; ++row) {
                 part.offsets[base + row * lanes + lane] = place_[neighbours[row]] * size;
+                part.distances_squared[row * lanes + lane] = distances[row];
+            }
         }
+        part.nearest_squared.resize(rows);
+        order_rows(rows, lanes, part.offsets.data() + base, part.distances_squared.data(),
+                   part.nearest_squared.data());
+        for (const float nearest : part.nearest_squared)
+            part.gaps.push_back(least_gap(nearest));
+        part.gaps.push_back(never);
         part.rows.push_back(rows);
         list.crosses[group] = crosses;
     }
@@ -183,14 +210,18 @@ void PaddedListMaker::join(const PaddedListShape& shape, ThreadTeam& team, Padde
             ++group;
         }
     }
-    list.offsets.resize(list.first_row.back() * shape.lanes);
+    list.offsets.resize(list.first_row.back() * shape.group.lanes);
+    list.gaps.resize(list.first_row.back() + list.crosses.size());
     team.run([&](std::size_t thread) {
         const Part& part = parts_[thread];
         const std::size_t first_group =
-            std::min(part.first_window * window / shape.lanes, list.crosses.size());
+            std::min(part.first_window * window / shape.group.lanes, list.crosses.size());
         std::copy(part.offsets.begin(), part.offsets.end(),
                   list.offsets.begin() +
-                      static_cast<std::ptrdiff_t>(list.first_row[first_group] * shape.lanes));
+                      static_cast<std::ptrdiff_t>(list.first_row[first_group] * shape.group.lanes));
+        std::copy(part.gaps.begin(), part.gaps.end(),
+                  list.gaps.begin() +
+                      static_cast<std::ptrdiff_t>(list.first_row[first_group] + first_group));
     });
 }
 
@@ -202,7 +233,7 @@ const std::vector<std::uint32_t>& PaddedListMaker::make(std::span<const double> 
     for (auto* values : {&from_, &place_, &order_})
         values->resize(x.size());
     first_neighbour_.resize(x.size());
-    list.crosses.resize((x.size() + shape.lanes - 1) / shape.lanes);
+    list.crosses.resize((x.size() + shape.group.lanes - 1) / shape.group.lanes);
     const std::size_t windows = (x.size() + window - 1) / window;
     parts_.resize(team.size());
     team.run([&](std::size_t thread) {

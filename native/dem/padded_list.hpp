@@ -19,8 +19,12 @@ struct PaddedListShape {
     double diameter = 0;
     double skin = 0;                 ///< pairs nearer than diameter + skin are listed
     std::optional<double> period_x;  ///< at least 4 (diameter + skin)
-    std::size_t lanes = 0;           ///< grains per group
+    GroupShape group;                ///< of the vectors that will use the list
     std::size_t record_size = 0;     ///< bytes
+};
+
+struct Bounds {
+    double low = 0, high = 0;
 };
 
 class PaddedListMaker {
@@ -32,26 +36,33 @@ class PaddedListMaker {
                                            const PaddedListShape& shape, ThreadTeam& team,
                                            PaddedList& list);
 
+    /// Of the grains of the last list.
+    [[nodiscard]] const Bounds& heights() const noexcept { return heights_; }
+
   private:
     /// What one thread has found for its windows, and the rows that it makes of it.
     struct Part {
         std::size_t first_window = 0, last_window = 0;
         FoundNeighbours found;
-        std::vector<std::uint32_t> rows;     ///< shape (groups)
-        std::vector<std::uint32_t> offsets;  ///< shape (rows, lanes)
+        std::vector<std::uint32_t> rows;                        ///< shape (groups)
+        std::vector<std::uint32_t> offsets;                     ///< shape (rows, lanes)
+        std::vector<float> gaps;                                ///< shape (rows + groups)
+        std::vector<float> distances_squared, nearest_squared;  ///< of the group being written
     };
 
     void sort_by_cell(std::span<const double> x, std::span<const double> y,
                       const PaddedListShape& shape, ThreadTeam& team);
     void set_cells(std::span<const double> x, std::span<const double> y,
-                   const PaddedListShape& shape);
+                   const PaddedListShape& shape, ThreadTeam& team);
     void find(Part& part);
     void sort_windows(Part& part);
     void write_rows(Part& part, const PaddedListShape& shape, PaddedList& list) const;
     void join(const PaddedListShape& shape, ThreadTeam& team, PaddedList& list);
 
     CellView cells_;
-    double low_x_ = 0, low_y_ = 0, per_width_ = 0, per_height_ = 0;
+    Bounds heights_;
+    double low_x_ = 0, per_width_ = 0, per_height_ = 0;
+    double slack_ = 0;                    ///< rounding of distances
     std::vector<std::uint32_t> by_cell_;  ///< grains in the order of cells
     std::vector<std::uint32_t> from_;     ///< place in the order of cells of what is at a place
     std::vector<std::uint32_t> place_;    ///< the inverse of from_

@@ -5,6 +5,7 @@
 #include "native/dem/system.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -47,13 +48,37 @@ struct CacheLineAllocator {
 template <class Format>
 using Records = std::vector<typename Format::Record, CacheLineAllocator<typename Format::Record>>;
 
+/// Grains that are computed together, one per lane of a vector.
+struct GroupShape {
+    std::size_t lanes = 0;   ///< grains
+    std::size_t blocks = 1;  ///< of 128 bits in a vector
+
+    /// Which of the group's records the lane belongs to. Records are transposed within blocks only,
+    /// so that neighbouring records are in neighbouring blocks.
+    [[nodiscard]] constexpr std::size_t place_of_lane(std::size_t lane) const {
+        const std::size_t in_block = lanes / blocks;
+        return blocks * (lane % in_block) + lane / in_block;
+    }
+    /// The inverse, for all grains: where in arrays of vectors a grain at a place is.
+    [[nodiscard]] constexpr std::size_t slot_of_place(std::size_t place) const {
+        // Both are powers of two.
+        const std::size_t in_group = place & (lanes - 1);
+        const int per_block = std::countr_zero(lanes) - std::countr_zero(blocks);
+        return place - in_group + ((in_group & (blocks - 1)) << per_block) +
+               (in_group >> std::countr_zero(blocks));
+    }
+};
+
 /// Full neighbour list, padded per group of as many grains as a vector has lanes. Row r of group g
 /// has the r-th neighbour of each of its grains, as a byte offset into the records; grains with
-/// fewer neighbours have the dummy record, which is far from all, instead.
+/// fewer neighbours have the dummy record, which is far from all, instead. Nearest neighbours come
+/// first: a row matters only when grains have come near enough to close its gap.
 struct PaddedList {
     std::vector<std::uint32_t> first_row;  ///< shape (groups + 1)
     std::vector<std::uint32_t> offsets;    ///< shape (rows, lanes)
-    std::vector<std::uint8_t> crosses;     ///< shape (groups): a pair reaches across the period
+    std::vector<float> gaps;  ///< shape (rows + groups): least gap in a row and behind it when the
+                              ///< list was made (length); infinity behind the last row of a group
+    std::vector<std::uint8_t> crosses;  ///< shape (groups): a pair reaches across the period
 };
 
 /// What a step needs to know, in the units of the format.
@@ -81,15 +106,18 @@ struct StepTask {
     const PaddedList* list = nullptr;
     const typename Format::Record* in = nullptr;  ///< shape (padded grains + 1), the dummy last
     typename Format::Record* out = nullptr;
-    Real* own_x = nullptr;  ///< shape (padded grains): v_{n+1/2}, or a_n between two calls
+    Real* own_x = nullptr;  ///< shape (padded grains) in the order of lanes: v_{n+1/2}, or a_n
+                            ///< between two calls
     Real* own_y = nullptr;
     std::size_t first_group = 0, last_group = 0;
-    std::size_t grains = 0;                ///< without padding
+    std::size_t grains = 0;  ///< without padding
+    float closed = 0;  ///< gaps of up to so much may have closed since the list was made (length)
     typename Format::Position bottom = 0;  ///< touches a grain whose y is below
     typename Format::Position lid = 0;     ///< touches a grain whose y is above
     double* lid_overlap = nullptr;  ///< shape (blocks): sum of overlaps, in units of position
     Real drift_x = 0, drift_y = 0;  ///< common velocity that does not count
     Real speed_limit_squared = 0;
+    std::int64_t* rows = nullptr;  ///< adds up the rows looked at
     bool* exceeded = nullptr;  ///< set when a grain is faster than that, or its speed is no number
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -15,9 +14,12 @@ namespace crossgrain::dem {
 namespace {
 
 // The second shell of a dense packing stays out at first; the tuning finds its way from there.
-constexpr double first_skin_in_diameters = 0.45;
+constexpr double first_skin_in_diameters = 0.6;
 constexpr double narrowest_skin_in_diameters = 0.1;
 constexpr double widest_skin_in_diameters = 1.0;
+
+/// Displacements are sums of rounded steps.
+constexpr double within_rounding = 0.999;
 
 /// A step is worth a handshake between threads from so many grains per thread on.
 constexpr std::size_t grains_per_thread = 4096;
@@ -37,13 +39,21 @@ SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
       tuning_(p_.skin > 0 ? p_.skin : first_skin_in_diameters * p_.diameter,
               p_.skin > 0 ? p_.skin : narrowest_skin_in_diameters * p_.diameter,
               p_.skin > 0 ? p_.skin : widest_skin_in_diameters * p_.diameter),
-      grains_(state_.x.size()),
-      padded_((grains_ + functions.lanes - 1) / functions.lanes * functions.lanes),
-      number_(grains_), now_(padded_ + 1), next_(padded_ + 1), listed_(padded_ + 1),
-      own_x_(padded_), own_y_(padded_), listed_x_(state_.x), listed_y_(state_.y), turns_(grains_),
+      grains_(state_.x.size()), padded_((grains_ + functions.group.lanes - 1) /
+                                        functions.group.lanes * functions.group.lanes),
+      now_(padded_ + 1), next_(padded_ + 1), listed_(padded_ + 1),
       lid_overlap_(padded_ / grains_per_block + 1) {
     set_constants();
-    std::iota(number_.begin(), number_.end(), 0U);
+    for (Places* places : {&places_, &spare_}) {
+        places->number.resize(grains_);
+        for (auto* values : {&places->x, &places->y, &places->turns})
+            values->resize(grains_);
+        for (auto* values : {&places->own_x, &places->own_y})
+            values->resize(padded_);
+    }
+    std::iota(places_.number.begin(), places_.number.end(), 0U);
+    places_.x = state_.x;
+    places_.y = state_.y;
     for (std::size_t i = 0; i < grains_; ++i) {
         now_[i].vx = static_cast<Real>(state_.vx[i]);
         now_[i].vy = static_cast<Real>(state_.vy[i]);
@@ -85,9 +95,10 @@ void SimdKernel<Format>::run(Function function, Records<Format>& out) {
                           .list = &list_,
                           .in = now_.data(),
                           .out = out.data(),
-                          .own_x = own_x_.data(),
-                          .own_y = own_y_.data(),
+                          .own_x = places_.own_x.data(),
+                          .own_y = places_.own_y.data(),
                           .grains = grains_,
+                          .closed = closed(),
                           .lid_overlap = lid_overlap_.data(),
                           .drift_x = drift_x_,
                           .drift_y = drift_y_,
@@ -100,18 +111,25 @@ void SimdKernel<Format>::run(Function function, Records<Format>& out) {
         task.lid = coordinates_.plate(state_.lid_height - p_.plate_reach);
     }
     std::fill(lid_overlap_.begin(), lid_overlap_.end(), 0.0);
-    std::atomic<bool> exceeded = false;
-    team_.split(groups(), grains_per_block / functions_.lanes,
-                [&](std::size_t begin, std::size_t end) {
+    struct alignas(64) Told {
+        bool exceeded = false;
+        std::int64_t rows = 0;
+    };
+    std::vector<Told> told(team_.size());
+    team_.split(groups(), grains_per_block / functions_.group.lanes,
+                [&](std::size_t begin, std::size_t end, std::size_t thread) {
                     StepTask<Format> part = task;
-                    bool exceeded_here = false;
                     part.first_group = begin;
                     part.last_group = end;
-                    part.exceeded = &exceeded_here;
+                    part.exceeded = &told[thread].exceeded;
+                    part.rows = &told[thread].rows;
                     function(part);
-                    if (exceeded_here) exceeded.store(true, std::memory_order_relaxed);
                 });
-    exceeded_ = exceeded;
+    exceeded_ = false;
+    for (const Told& part : told) {
+        exceeded_ = exceeded_ || part.exceeded;
+        rows_ += part.rows;
+    }
 }
 
 /// The lid's acceleration from the overlaps of the last forces, and so many half kicks by it.
@@ -152,13 +170,20 @@ void SimdKernel<Format>::advance(std::int64_t steps) {
     }
 }
 
+/// Gaps of this width may have closed since the list was made: both grains of a pair have moved.
+template <class Format>
+float SimdKernel<Format>::closed() const {
+    return static_cast<float>(2 / within_rounding * moved_);
+}
+
 /// While no grain is faster than the limit relative to the common drift, grains part from their
-/// common displacement by at most limit dt per step: until then nobody needs to look.
+/// common displacement by at most limit dt per step. A survey tells how far they really have come.
 template <class Format>
 void SimdKernel<Format>::look_over() {
     ++steps_of_list_;
     ++steps_since_survey_;
-    if (!exceeded_ && --steps_to_survey_ > 0) return;
+    moved_ += static_cast<double>(speed_limit_) * p_.dt;
+    if (!exceeded_ && moved_ <= survey_when_moved_) return;
     const double elapsed = static_cast<double>(steps_since_survey_) * p_.dt;
     centre_x_ += static_cast<double>(drift_x_) * elapsed;
     centre_y_ += static_cast<double>(drift_y_) * elapsed;
@@ -168,22 +193,25 @@ void SimdKernel<Format>::look_over() {
         centre_y_ = s.y.middle();
         s = survey();
     }
-    plan_survey(s);
-    const double common = std::max(std::abs(centre_x_), std::abs(centre_y_));
-    if (!s.finite || steps_to_survey_ < 1 || common > coordinates_.longest_drift()) make_list();
+    if (!plan_survey(s)) make_list();
 }
 
+/// Returns whether the list is good for the next step, too.
 template <class Format>
-void SimdKernel<Format>::plan_survey(const Survey& s) {
+bool SimdKernel<Format>::plan_survey(const Survey& s) {
     const double speed = std::hypot(s.vx.high - s.vx.low, s.vy.high - s.vy.low) / 2;
     // Some room for grains that get faster, and for a system at rest that begins to move.
     const double limit = 1.3 * speed + 4 * p_.gravity * p_.dt + 1e-6 * p_.diameter / p_.dt;
     drift_x_ = static_cast<Real>(s.vx.middle());
     drift_y_ = static_cast<Real>(s.vy.middle());
     speed_limit_ = static_cast<Real>(limit);
-    const double room = 0.999 * skin_ / 2 - std::sqrt(s.largest_distance_squared);
-    steps_to_survey_ = static_cast<std::int64_t>(std::clamp(room / (limit * p_.dt), 0.0, 1e9));
     steps_since_survey_ = 0;
+    moved_ = std::sqrt(s.largest_distance_squared);
+    const double room = within_rounding * skin_ / 2 - moved_;
+    // Not at the end of the room only: the less grains may have moved, the fewer rows matter.
+    survey_when_moved_ = moved_ + std::min(room, std::max(room / 2, skin_ / 16));
+    const double common = std::max(std::abs(centre_x_), std::abs(centre_y_));
+    return s.finite && room > limit * p_.dt && common <= coordinates_.longest_drift();
 }
 
 template <class Format>
@@ -209,10 +237,10 @@ template <class Format>
 const State& SimdKernel<Format>::state() {
     if (!state_is_old_) return state_;
     for (std::size_t i = 0; i < grains_; ++i) {
-        const std::size_t n = number_[i];
-        state_.x[n] = coordinates_.x_now(listed_x_[i], listed_[i].x, now_[i].x) +
-                      turns_[i] * p_.period_x.value_or(0.0);
-        state_.y[n] = coordinates_.y_now(listed_y_[i], listed_[i].y, now_[i].y);
+        const std::size_t n = places_.number[i];
+        state_.x[n] = coordinates_.x_now(places_.x[i], listed_[i].x, now_[i].x) +
+                      places_.turns[i] * p_.period_x.value_or(0.0);
+        state_.y[n] = coordinates_.y_now(places_.y[i], listed_[i].y, now_[i].y);
         state_.vx[n] = now_[i].vx;
         state_.vy[n] = now_[i].vy;
     }
@@ -229,7 +257,9 @@ Effort SimdKernel<Format>::effort() const {
             .force_evaluations = evaluations_,
             .neighbour_builds = builds_,
             .skin = skin_,
-            .looked_at = static_cast<double>(list_.offsets.size()) / static_cast<double>(grains_)};
+            .looked_at =
+                static_cast<double>(rows_ * static_cast<std::int64_t>(functions_.group.lanes)) /
+                static_cast<double>(static_cast<std::int64_t>(grains_) * evaluations_)};
 }
 
 template class SimdKernel<MixedFormat>;

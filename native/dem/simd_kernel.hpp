@@ -40,15 +40,18 @@ class SimdKernel final : public StepKernel {
     void push_lid(int kicks);
     void drift_lid();
     void look_over();
-    void plan_survey(const Survey& s);
+    [[nodiscard]] float closed() const;
+    [[nodiscard]] bool plan_survey(const Survey& s);
     [[nodiscard]] Survey survey();
     void make_list();
     void follow_grains();
-    void check_grains() const;
-    void wrap_grains();
+    void wrap(std::size_t place);
+    [[nodiscard]] bool is_lost(std::size_t place) const;
+    [[noreturn]] void tell_lost() const;
     void sort_and_list();
-    void write_records();
-    [[nodiscard]] std::size_t groups() const { return padded_ / functions_.lanes; }
+    void move_to(const std::vector<std::uint32_t>& order);
+    void pad();
+    [[nodiscard]] std::size_t groups() const { return padded_ / functions_.group.lanes; }
 
     Parameters p_;
     State state_;
@@ -59,23 +62,31 @@ class SimdKernel final : public StepKernel {
     StepConstants<Format> constants_;
     SkinTuning tuning_;
 
+    /// What stands in the order of the list, beside the records.
+    struct Places {
+        std::vector<std::uint32_t> number;  ///< of the grain, as it was given
+        std::vector<double> x, y;           ///< when the list was made, x within the period
+        std::vector<double> turns;          ///< periods to add to x
+        std::vector<Real> own_x, own_y;     ///< shape (padded), see StepTask
+    };
+
     std::size_t grains_, padded_;
-    std::vector<std::uint32_t> number_;        ///< of the grain at a place, as it was given
-    Records<Format> now_, next_, listed_;      ///< shape (padded + 1)
-    std::vector<Real> own_x_, own_y_;          ///< shape (padded), see StepTask
-    std::vector<double> listed_x_, listed_y_;  ///< when the list was made, x within the period
-    std::vector<double> turns_;                ///< periods to add to x
+    Records<Format> now_, next_, listed_;  ///< shape (padded + 1)
+    Places places_, spare_;
     PaddedListMaker maker_;
     PaddedList list_;
     double lid_acceleration_ = 0;
     std::vector<double> lid_overlap_;
 
-    bool exceeded_ = false;
-    double skin_ = 0;  ///< of the present list
-    Real drift_x_ = 0, drift_y_ = 0, speed_limit_ = 0;
-    double centre_x_ = 0, centre_y_ = 0;
+    double skin_ = 0;               ///< of the present list
+    bool exceeded_ = false;         ///< in the last drift
+    double moved_ = 0;              ///< at most, relative to the common displacement
+    double survey_when_moved_ = 0;  ///< so far
+    Real drift_x_ = 0, drift_y_ = 0, speed_limit_ = 0;  ///< since the last survey
+    double centre_x_ = 0, centre_y_ = 0;                ///< common displacement, at the last survey
+    std::int64_t steps_since_survey_ = 0;
     std::int64_t steps_of_list_ = 0;
-    std::int64_t steps_to_survey_ = 0, steps_since_survey_ = 0;
+    std::int64_t rows_ = 0, rows_before_list_ = 0;  ///< looked at, and when the list was made
     std::int64_t evaluations_ = 0, builds_ = 0;
 };
 

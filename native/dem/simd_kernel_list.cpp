@@ -5,125 +5,140 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace crossgrain::dem {
-namespace {
-
-/// values[i] = what was at order[i]; what lies beyond the order stays.
-template <class Values>
-void reorder(Values& values, const std::vector<std::uint32_t>& order) {
-    const Values old = values;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        values[i] = old[order[i]];
-}
-
-}  // namespace
-
 template <class Format>
 void SimdKernel<Format>::make_list() {
-    if (builds_ > 0) {
-        follow_grains();
-        if (p_.skin == 0) {
-            tuning_.list_has_lasted(steps_of_list_, static_cast<double>(list_.first_row.back()) /
-                                                        static_cast<double>(groups()));
-        }
+    if (builds_ > 0 && p_.skin == 0) {
+        const auto rows = static_cast<double>(rows_ - rows_before_list_);
+        tuning_.list_has_lasted(steps_of_list_, rows / static_cast<double>(groups()));
     }
-    check_grains();
+    follow_grains();
     skin_ = tuning_.skin();
     sort_and_list();
     ++builds_;
     steps_of_list_ = 0;
+    rows_before_list_ = rows_;
     centre_x_ = centre_y_ = 0;
     const Survey s = survey();
-    plan_survey(s);
-    const double fastest = static_cast<double>(speed_limit_) * p_.dt;
-    if (!s.finite || fastest > coordinates_.longest_drift()) {
-        throw TrajectoryError(fmt::format("a grain moves by {:g} in the step at t = {:g}", fastest,
+    // A list may be good for this step only.
+    static_cast<void>(plan_survey(s));
+    const double step = static_cast<double>(speed_limit_) * p_.dt;
+    if (!s.finite || step > coordinates_.longest_drift()) {
+        throw TrajectoryError(fmt::format("a grain moves by {:g} in the step at t = {:g}", step,
                                           static_cast<double>(state_.step) * p_.dt));
     }
-    steps_to_survey_ = std::max<std::int64_t>(steps_to_survey_, 1);
 }
 
-/// Where the grains have come.
+/// Where the grains have come, within the period.
 template <class Format>
 void SimdKernel<Format>::follow_grains() {
-    team_.split(grains_, 1, [&](std::size_t begin, std::size_t end) {
+    std::atomic<bool> any_lost = false;
+    team_.split(grains_, 1, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t i = begin; i < end; ++i) {
-            listed_x_[i] = coordinates_.x_now(listed_x_[i], listed_[i].x, now_[i].x);
-            listed_y_[i] = coordinates_.y_now(listed_y_[i], listed_[i].y, now_[i].y);
+            if (builds_ > 0) {
+                places_.x[i] = coordinates_.x_now(places_.x[i], listed_[i].x, now_[i].x);
+                places_.y[i] = coordinates_.y_now(places_.y[i], listed_[i].y, now_[i].y);
+            }
+            if (is_lost(i)) any_lost.store(true, std::memory_order_relaxed);
+            if (p_.period_x) wrap(i);
         }
     });
+    if (any_lost) tell_lost();
 }
 
 template <class Format>
-void SimdKernel<Format>::check_grains() const {
-    for (std::size_t i = 0; i < grains_; ++i) {
-        const double bound = 1e12 * p_.diameter;
-        // Written so that what is no number is out of bounds.
-        if (!(std::abs(listed_x_[i]) < bound) || !(std::abs(listed_y_[i]) < bound) ||
-            !std::isfinite(now_[i].vx) || !std::isfinite(now_[i].vy)) {
-            throw TrajectoryError(
-                fmt::format("grain {} has left all bounds (x = {:g}, y = {:g}, v = {:g}, {:g})",
-                            number_[i], listed_x_[i], listed_y_[i], now_[i].vx, now_[i].vy));
-        }
-    }
+bool SimdKernel<Format>::is_lost(std::size_t place) const {
+    const double bound = 1e12 * p_.diameter;
+    // Written so that what is no number is out of bounds.
+    return !(std::abs(places_.x[place]) < bound) || !(std::abs(places_.y[place]) < bound) ||
+           !std::isfinite(now_[place].vx) || !std::isfinite(now_[place].vy);
+}
+
+template <class Format>
+void SimdKernel<Format>::tell_lost() const {
+    std::size_t i = 0;
+    while (i + 1 < grains_ && !is_lost(i))
+        ++i;
+    throw TrajectoryError(
+        fmt::format("grain {} has left all bounds (x = {:g}, y = {:g}, v = {:g}, {:g})",
+                    places_.number[i], places_.x[i], places_.y[i], now_[i].vx, now_[i].vy));
 }
 
 /// Into [0, period); only grains that have left it are touched, so that the others are not rounded.
 template <class Format>
-void SimdKernel<Format>::wrap_grains() {
+void SimdKernel<Format>::wrap(std::size_t place) {
     const double period = *p_.period_x;
-    for (std::size_t i = 0; i < grains_; ++i) {
-        double& x = listed_x_[i];
-        if (x >= 0 && x < period) continue;
-        const double turns = std::floor(x / period);
-        turns_[i] += turns;
-        x -= turns * period;
-        if (x >= period || x < 0) x = 0;  // a rounding away from the edge
-    }
+    double& x = places_.x[place];
+    if (x >= 0 && x < period) return;
+    const double turns = std::floor(x / period);
+    places_.turns[place] += turns;
+    x -= turns * period;
+    if (x >= period || x < 0) x = 0;  // a rounding away from the edge
 }
 
 template <class Format>
 void SimdKernel<Format>::sort_and_list() {
-    if (p_.period_x) wrap_grains();
-    const auto& order = maker_.make(listed_x_, listed_y_,
+    const auto& order = maker_.make(places_.x, places_.y,
                                     {.diameter = p_.diameter,
                                      .skin = skin_,
                                      .period_x = p_.period_x,
-                                     .lanes = functions_.lanes,
+                                     .group = functions_.group,
                                      .record_size = sizeof(Record)},
                                     team_, list_);
-    for (auto* values : {&listed_x_, &listed_y_, &turns_})
-        reorder(*values, order);
-    reorder(number_, order);
-    reorder(own_x_, order);
-    reorder(own_y_, order);
-    reorder(now_, order);
-    const auto [low, high] = std::minmax_element(listed_y_.begin(), listed_y_.end());
-    coordinates_.fit(*low, *high);
+    coordinates_.fit(maker_.heights().low, maker_.heights().high);
     set_units();
-    write_records();
+    move_to(order);
+    pad();
 }
 
-/// Positions as the format has them; lanes beyond the last grain repeat it.
+/// Grains, and records with positions as the format has them, in the order of the list.
 template <class Format>
-void SimdKernel<Format>::write_records() {
-    for (std::size_t i = 0; i < grains_; ++i) {
-        now_[i].x = coordinates_.x(listed_x_[i]);
-        now_[i].y = coordinates_.y(listed_y_[i]);
-    }
+void SimdKernel<Format>::move_to(const std::vector<std::uint32_t>& order) {
+    // Nobody looks at these between two steps of the other scheme.
+    const bool owns = p_.scheme == Scheme::verlet_predicted;
+    const GroupShape group = functions_.group;
+    team_.split(grains_, group.lanes, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t from = order[i];
+            spare_.number[i] = places_.number[from];
+            spare_.turns[i] = places_.turns[from];
+            const double x = spare_.x[i] = places_.x[from];
+            const double y = spare_.y[i] = places_.y[from];
+            next_[i] = listed_[i] = Record{.x = coordinates_.x(x),
+                                           .y = coordinates_.y(y),
+                                           .vx = now_[from].vx,
+                                           .vy = now_[from].vy};
+            if (owns) {
+                const std::size_t to_slot = group.slot_of_place(i);
+                const std::size_t from_slot = group.slot_of_place(from);
+                spare_.own_x[to_slot] = places_.own_x[from_slot];
+                spare_.own_y[to_slot] = places_.own_y[from_slot];
+            }
+        }
+    });
+    std::swap(places_, spare_);
+    now_.swap(next_);
+}
+
+/// Lanes beyond the last grain repeat it.
+template <class Format>
+void SimdKernel<Format>::pad() {
+    const std::size_t last = functions_.group.slot_of_place(grains_ - 1);
     for (std::size_t i = grains_; i < padded_; ++i) {
-        now_[i] = now_[grains_ - 1];
-        own_x_[i] = own_x_[grains_ - 1];
-        own_y_[i] = own_y_[grains_ - 1];
+        now_[i] = listed_[i] = now_[grains_ - 1];
+        const std::size_t slot = functions_.group.slot_of_place(i);
+        places_.own_x[slot] = places_.own_x[last];
+        places_.own_y[slot] = places_.own_y[last];
     }
-    now_[padded_] = Record{.x = 0, .y = coordinates_.dummy_y(), .vx = 0, .vy = 0};
-    next_[padded_] = now_[padded_];
-    listed_ = now_;
+    const Record dummy{.x = 0, .y = coordinates_.dummy_y(), .vx = 0, .vy = 0};
+    now_[padded_] = next_[padded_] = listed_[padded_] = dummy;
 }
 
 template void SimdKernel<MixedFormat>::make_list();

@@ -26,7 +26,22 @@ HWY_INLINE hn::Vec<D> LoadBlocks(D d, const std::uint8_t* HWY_RESTRICT base,
                                  const std::uint32_t* HWY_RESTRICT offsets, std::size_t stride) {
     using T = hn::TFromD<D>;
     constexpr std::size_t blocks = hn::MaxLanes(D()) * sizeof(T) / 16;
-    if constexpr (blocks == 1) {
+#if HWY_TARGET <= HWY_AVX3
+    if constexpr (blocks == 4) {
+        const hn::Half<D> half;
+        // Not Combine, which clears the upper half first.
+        if constexpr (std::is_same_v<T, float>) {
+            return hn::Vec<D>{_mm512_insertf32x8(
+                _mm512_castps256_ps512(LoadBlocks(half, base, offsets, stride).raw),
+                LoadBlocks(half, base, offsets + 2 * stride, stride).raw, 1)};
+        } else {
+            return hn::Vec<D>{_mm512_insertf64x4(
+                _mm512_castpd256_pd512(LoadBlocks(half, base, offsets, stride).raw),
+                LoadBlocks(half, base, offsets + 2 * stride, stride).raw, 1)};
+        }
+    } else
+#endif
+        if constexpr (blocks == 1) {
         return hn::LoadU(d, reinterpret_cast<const T*>(base + offsets[0]));
     } else {
         const hn::Half<D> half;
@@ -36,35 +51,61 @@ HWY_INLINE hn::Vec<D> LoadBlocks(D d, const std::uint8_t* HWY_RESTRICT base,
     }
 }
 
-/// 1/sqrt(v) to the last bit or two; infinite or no number for v = 0.
+/// 1/sqrt(v) = guess + correction, where the guess has some bits and the correction the others;
+/// no numbers for v = 0. They are apart because what is made of them goes on with the guess while
+/// the correction is still being computed.
 template <class D>
-HWY_INLINE hn::Vec<D> ReciprocalRoot(D d, hn::Vec<D> v) {
+class ReciprocalRoot {
     using T = hn::TFromD<D>;
-    const auto half = hn::Set(d, T(0.5));
-    // Newton: guess (1 + (1 - v guess^2)/2) has twice as many good bits.
-    const auto improved = [&](hn::Vec<D> guess) HWY_ATTR {
-        const auto half_residual = hn::NegMulAdd(hn::Mul(v, guess), hn::Mul(guess, half), half);
-        return hn::MulAdd(guess, half_residual, guess);
-    };
-    if constexpr (std::is_same_v<T, float>) {
-        return improved(hn::ApproximateReciprocalSqrt(v));
-    } else {
-#if HWY_TARGET <= HWY_AVX3
-        const hn::Vec<D> guess{_mm512_rsqrt14_pd(v.raw)};
-#else
-        const hn::Rebind<float, D> narrow;
-        const auto guess =
-            improved(hn::PromoteTo(d, hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, v))));
-#endif
-        // With h = 1 - v guess^2: 1/sqrt(v) = guess (1 - h)^(-1/2)
-        //                                   = guess (1 + h/2 + 3 h^2/8 + 5 h^3/16 + ...).
-        const auto h = hn::NegMulAdd(hn::Mul(v, guess), guess, hn::Set(d, 1.0));
-        const auto tail = hn::MulAdd(h, hn::Set(d, 5.0 / 16), hn::Set(d, 3.0 / 8));
-        return hn::MulAdd(hn::Mul(guess, h), hn::MulAdd(h, tail, half), guess);
-    }
-}
 
-/// The grains of a group, or one neighbour of each.
+  public:
+    HWY_INLINE explicit ReciprocalRoot(hn::Vec<D> v) : guess_(Guess(v)), share_(Share(v, guess_)) {}
+
+    /// a/sqrt(v) - b
+    [[nodiscard]] HWY_INLINE hn::Vec<D> TimesLess(hn::Vec<D> a, hn::Vec<D> b) const {
+        return hn::MulAdd(hn::Mul(guess_, a), share_, hn::MulSub(guess_, a, b));
+    }
+    [[nodiscard]] HWY_INLINE hn::Vec<D> Value() const { return hn::MulAdd(guess_, share_, guess_); }
+
+  private:
+    static HWY_INLINE hn::Vec<D> Guess(hn::Vec<D> v) {
+        if constexpr (std::is_same_v<T, float>) {
+            return hn::ApproximateReciprocalSqrt(v);
+        } else {
+#if HWY_TARGET <= HWY_AVX3
+            return hn::Vec<D>{_mm512_rsqrt14_pd(v.raw)};
+#else
+            const D d;
+            const hn::Rebind<float, D> narrow;
+            const auto half = hn::Set(d, 0.5);
+            const auto guess =
+                hn::PromoteTo(d, hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, v)));
+            // Newton: guess (1 + (1 - v guess^2)/2) has twice as many good bits.
+            const auto half_residual = hn::NegMulAdd(hn::Mul(v, half), hn::Mul(guess, guess), half);
+            return hn::MulAdd(guess, half_residual, guess);
+#endif
+        }
+    }
+    /// With h = 1 - v guess^2: 1/sqrt(v) = guess (1 - h)^(-1/2)
+    ///                                   = guess (1 + h/2 + 3 h^2/8 + 5 h^3/16 + ...).
+    static HWY_INLINE hn::Vec<D> Share(hn::Vec<D> v, hn::Vec<D> guess) {
+        const D d;
+        const auto half = hn::Set(d, T(0.5));
+        const auto squared = hn::Mul(guess, guess);
+        if constexpr (std::is_same_v<T, float>) {
+            return hn::NegMulAdd(hn::Mul(v, half), squared, half);
+        } else {
+            const auto h = hn::NegMulAdd(v, squared, hn::Set(d, 1.0));
+            const auto tail = hn::MulAdd(h, hn::Set(d, 5.0 / 16), hn::Set(d, 3.0 / 8));
+            return hn::Mul(h, hn::MulAdd(h, tail, half));
+        }
+    }
+
+    hn::Vec<D> guess_, share_;  ///< correction = guess share
+};
+
+/// The grains of a group. Which lane holds which grain, GroupShape::place_of_lane tells: records
+/// are transposed within blocks of 128 bits only.
 template <class Format>
 struct Lanes;
 
@@ -74,47 +115,97 @@ struct Lanes<MixedFormat> {
     using DP = hn::ScalableTag<std::int32_t>;
     using V = hn::Vec<D>;
     using P = hn::Vec<DP>;
+    using Pairs = hn::Repartition<double, D>;
+    static constexpr std::size_t blocks = hn::MaxLanes(D()) / 4;
     P x, y;
     V vx, vy;
 
-    /// Blocks of a record are 4 lanes wide: a transposition within blocks makes vectors of them.
-    static HWY_INLINE Lanes Load(const MixedFormat::Record* HWY_RESTRICT records,
-                                 const std::uint32_t* HWY_RESTRICT offsets) {
-        const D d;
-        const DP dp;
-        const hn::Repartition<double, D> pairs;
-        const auto* base = reinterpret_cast<const std::uint8_t*>(records);
-        const auto r0 = LoadBlocks(d, base, offsets, 4);
-        const auto r1 = LoadBlocks(d, base, offsets + 1, 4);
-        const auto r2 = LoadBlocks(d, base, offsets + 2, 4);
-        const auto r3 = LoadBlocks(d, base, offsets + 3, 4);
-        const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, r0, r1));
-        const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(d, r2, r3));
-        const auto v01 = hn::BitCast(pairs, hn::InterleaveUpper(d, r0, r1));
-        const auto v23 = hn::BitCast(pairs, hn::InterleaveUpper(d, r2, r3));
-        return {hn::BitCast(dp, hn::InterleaveLower(pairs, xy01, xy23)),
-                hn::BitCast(dp, hn::InterleaveUpper(pairs, xy01, xy23)),
-                hn::BitCast(d, hn::InterleaveLower(pairs, v01, v23)),
-                hn::BitCast(d, hn::InterleaveUpper(pairs, v01, v23))};
-    }
+    /// One neighbour of each grain of a group; velocities are only taken out where asked for.
+    struct Neighbours {
+        V r0, r1, r2, r3;  ///< blocks are records
+
+        static HWY_INLINE Neighbours Load(const MixedFormat::Record* HWY_RESTRICT records,
+                                          const std::uint32_t* HWY_RESTRICT offsets) {
+            const D d;
+            const auto* base = reinterpret_cast<const std::uint8_t*>(records);
+            return {LoadBlocks(d, base, offsets, 4), LoadBlocks(d, base, offsets + 1, 4),
+                    LoadBlocks(d, base, offsets + 2, 4), LoadBlocks(d, base, offsets + 3, 4)};
+        }
+        static HWY_INLINE Neighbours OfGroup(const MixedFormat::Record* HWY_RESTRICT first) {
+            const D d;
+            const auto* numbers = reinterpret_cast<const float*>(first);
+            return {hn::LoadU(d, numbers), hn::LoadU(d, numbers + hn::Lanes(d)),
+                    hn::LoadU(d, numbers + 2 * hn::Lanes(d)),
+                    hn::LoadU(d, numbers + 3 * hn::Lanes(d))};
+        }
+        [[nodiscard]] HWY_INLINE P X() const {
+            return hn::BitCast(DP(), hn::InterleaveLower(Pairs(), Positions01(), Positions23()));
+        }
+        [[nodiscard]] HWY_INLINE P Y() const {
+            return hn::BitCast(DP(), hn::InterleaveUpper(Pairs(), Positions01(), Positions23()));
+        }
+        [[nodiscard]] HWY_INLINE V Vx() const {
+            return hn::BitCast(D(), hn::InterleaveLower(Pairs(), Velocities01(), Velocities23()));
+        }
+        [[nodiscard]] HWY_INLINE V Vy() const {
+            return hn::BitCast(D(), hn::InterleaveUpper(Pairs(), Velocities01(), Velocities23()));
+        }
+
+      private:
+        [[nodiscard]] HWY_INLINE hn::Vec<Pairs> Positions01() const {
+            return hn::BitCast(Pairs(), hn::InterleaveLower(D(), r0, r1));
+        }
+        [[nodiscard]] HWY_INLINE hn::Vec<Pairs> Positions23() const {
+            return hn::BitCast(Pairs(), hn::InterleaveLower(D(), r2, r3));
+        }
+        [[nodiscard]] HWY_INLINE hn::Vec<Pairs> Velocities01() const {
+            return hn::BitCast(Pairs(), hn::InterleaveUpper(D(), r0, r1));
+        }
+        [[nodiscard]] HWY_INLINE hn::Vec<Pairs> Velocities23() const {
+            return hn::BitCast(Pairs(), hn::InterleaveUpper(D(), r2, r3));
+        }
+    };
 
     static HWY_INLINE Lanes LoadGroup(const MixedFormat::Record* HWY_RESTRICT first) {
-        const D d;
-        const DP dp;
-        V x, y, vx, vy;
-        hn::LoadInterleaved4(d, reinterpret_cast<const float*>(first), x, y, vx, vy);
-        return {hn::BitCast(dp, x), hn::BitCast(dp, y), vx, vy};
+        Lanes group;
+        group.LoadPositions(first);
+        group.LoadVelocities(first);
+        return group;
+    }
+    HWY_INLINE void LoadPositions(const MixedFormat::Record* HWY_RESTRICT first) {
+        const Neighbours g = Neighbours::OfGroup(first);
+        x = g.X();
+        y = g.Y();
+    }
+    HWY_INLINE void LoadVelocities(const MixedFormat::Record* HWY_RESTRICT first) {
+        const Neighbours g = Neighbours::OfGroup(first);
+        vx = g.Vx();
+        vy = g.Vy();
     }
 
     HWY_INLINE void StoreGroup(MixedFormat::Record* HWY_RESTRICT first) const {
         const D d;
-        hn::StoreInterleaved4(hn::BitCast(d, x), hn::BitCast(d, y), vx, vy, d,
-                              reinterpret_cast<float*>(first));
+        const Pairs pairs;
+        auto* numbers = reinterpret_cast<float*>(first);
+        const auto xf = hn::BitCast(d, x), yf = hn::BitCast(d, y);
+        const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(d, xf, yf));
+        const auto xy23 = hn::BitCast(pairs, hn::InterleaveUpper(d, xf, yf));
+        const auto v01 = hn::BitCast(pairs, hn::InterleaveLower(d, vx, vy));
+        const auto v23 = hn::BitCast(pairs, hn::InterleaveUpper(d, vx, vy));
+        const auto store = [&](hn::Vec<Pairs> records, std::size_t k) HWY_ATTR {
+            hn::StoreU(hn::BitCast(d, records), d, numbers + k * hn::Lanes(d));
+        };
+        store(hn::InterleaveLower(pairs, xy01, v01), 0);
+        store(hn::InterleaveUpper(pairs, xy01, v01), 1);
+        store(hn::InterleaveLower(pairs, xy23, v23), 2);
+        store(hn::InterleaveUpper(pairs, xy23, v23), 3);
     }
 
-    /// a - b as a length. Wraps round the period by itself.
-    static HWY_INLINE V Separation(P a, P b, V unit) {
-        return hn::Mul(hn::ConvertTo(D(), hn::Sub(a, b)), unit);
+    /// a - b in units of position. Wraps round the period by itself.
+    static HWY_INLINE V Difference(P a, P b) { return hn::ConvertTo(D(), hn::Sub(a, b)); }
+    static HWY_INLINE V InUnitsOfX(V dy, V aspect) { return hn::Mul(dy, aspect); }
+    static HWY_INLINE V DistanceSquared(V dx, V dy, V aspect_squared) {
+        return hn::MulAdd(hn::Mul(dy, dy), aspect_squared, hn::Mul(dx, dx));
     }
     /// position + steps velocity, `steps` = dt/unit.
     static HWY_INLINE P Drift(P position, V velocity, V steps) {
@@ -128,37 +219,117 @@ struct Lanes<DoubleFormat> {
     using DP = D;
     using V = hn::Vec<D>;
     using P = V;
+    static constexpr std::size_t blocks = hn::MaxLanes(D()) / 2;
     P x, y;
     V vx, vy;
 
-    static HWY_INLINE Lanes Load(const DoubleFormat::Record* HWY_RESTRICT records,
-                                 const std::uint32_t* HWY_RESTRICT offsets) {
-        const D d;
-        const auto* positions = reinterpret_cast<const std::uint8_t*>(records);
-        const auto* velocities = positions + 2 * sizeof(double);
-        const auto xy0 = LoadBlocks(d, positions, offsets, 2);
-        const auto xy1 = LoadBlocks(d, positions, offsets + 1, 2);
-        const auto v0 = LoadBlocks(d, velocities, offsets, 2);
-        const auto v1 = LoadBlocks(d, velocities, offsets + 1, 2);
-        return {hn::InterleaveLower(d, xy0, xy1), hn::InterleaveUpper(d, xy0, xy1),
-                hn::InterleaveLower(d, v0, v1), hn::InterleaveUpper(d, v0, v1)};
-    }
+    struct Neighbours {
+        V xy0, xy1, v0, v1;  ///< blocks are halves of records
+
+        static HWY_INLINE Neighbours Load(const DoubleFormat::Record* HWY_RESTRICT records,
+                                          const std::uint32_t* HWY_RESTRICT offsets) {
+            const D d;
+            const auto* positions = reinterpret_cast<const std::uint8_t*>(records);
+            const auto* velocities = positions + 2 * sizeof(double);
+            return {LoadBlocks(d, positions, offsets, 2), LoadBlocks(d, positions, offsets + 1, 2),
+                    LoadBlocks(d, velocities, offsets, 2),
+                    LoadBlocks(d, velocities, offsets + 1, 2)};
+        }
+        [[nodiscard]] HWY_INLINE P X() const { return hn::InterleaveLower(D(), xy0, xy1); }
+        [[nodiscard]] HWY_INLINE P Y() const { return hn::InterleaveUpper(D(), xy0, xy1); }
+        [[nodiscard]] HWY_INLINE V Vx() const { return hn::InterleaveLower(D(), v0, v1); }
+        [[nodiscard]] HWY_INLINE V Vy() const { return hn::InterleaveUpper(D(), v0, v1); }
+    };
 
     static HWY_INLINE Lanes LoadGroup(const DoubleFormat::Record* HWY_RESTRICT first) {
-        Lanes g;
-        hn::LoadInterleaved4(D(), reinterpret_cast<const double*>(first), g.x, g.y, g.vx, g.vy);
-        return g;
+        Lanes group;
+        group.LoadPositions(first);
+        group.LoadVelocities(first);
+        return group;
+    }
+    HWY_INLINE void LoadPositions(const DoubleFormat::Record* HWY_RESTRICT first) {
+        const D d;
+        const auto* numbers = reinterpret_cast<const double*>(first);
+        const auto xy0 = EvenBlocks(hn::LoadU(d, numbers), hn::LoadU(d, numbers + hn::Lanes(d)));
+        const auto xy1 = EvenBlocks(hn::LoadU(d, numbers + 2 * hn::Lanes(d)),
+                                    hn::LoadU(d, numbers + 3 * hn::Lanes(d)));
+        x = hn::InterleaveLower(d, xy0, xy1);
+        y = hn::InterleaveUpper(d, xy0, xy1);
+    }
+    HWY_INLINE void LoadVelocities(const DoubleFormat::Record* HWY_RESTRICT first) {
+        const D d;
+        const auto* numbers = reinterpret_cast<const double*>(first);
+        const auto v0 = OddBlocks(hn::LoadU(d, numbers), hn::LoadU(d, numbers + hn::Lanes(d)));
+        const auto v1 = OddBlocks(hn::LoadU(d, numbers + 2 * hn::Lanes(d)),
+                                  hn::LoadU(d, numbers + 3 * hn::Lanes(d)));
+        vx = hn::InterleaveLower(d, v0, v1);
+        vy = hn::InterleaveUpper(d, v0, v1);
     }
 
     HWY_INLINE void StoreGroup(DoubleFormat::Record* HWY_RESTRICT first) const {
-        hn::StoreInterleaved4(x, y, vx, vy, D(), reinterpret_cast<double*>(first));
+        const D d;
+        auto* numbers = reinterpret_cast<double*>(first);
+        const auto xy0 = hn::InterleaveLower(d, x, y), xy1 = hn::InterleaveUpper(d, x, y);
+        const auto v0 = hn::InterleaveLower(d, vx, vy), v1 = hn::InterleaveUpper(d, vx, vy);
+        hn::StoreU(LowerBlocks(xy0, v0), d, numbers);
+        hn::StoreU(UpperBlocks(xy0, v0), d, numbers + hn::Lanes(d));
+        hn::StoreU(LowerBlocks(xy1, v1), d, numbers + 2 * hn::Lanes(d));
+        hn::StoreU(UpperBlocks(xy1, v1), d, numbers + 3 * hn::Lanes(d));
     }
 
-    static HWY_INLINE V Separation(P a, P b, V) { return hn::Sub(a, b); }
+    static HWY_INLINE V Difference(P a, P b) { return hn::Sub(a, b); }
+    static HWY_INLINE V InUnitsOfX(V dy, V) { return dy; }
+    static HWY_INLINE V DistanceSquared(V dx, V dy, V) {
+        return hn::MulAdd(dx, dx, hn::Mul(dy, dy));
+    }
     static HWY_INLINE P Drift(P position, V velocity, V steps) {
         return hn::MulAdd(velocity, steps, position);
     }
+
+  private:
+    // Blocks 0, 2, ... and 1, 3, ... of a and then b; and their inverses: blocks of a and b in
+    // turns, from their lower and from their upper halves.
+#if HWY_TARGET <= HWY_AVX3
+    static HWY_INLINE V EvenBlocks(V a, V b) {
+        return V{_mm512_shuffle_f64x2(a.raw, b.raw, 0x88)};
+    }
+    static HWY_INLINE V OddBlocks(V a, V b) {
+        return V{_mm512_shuffle_f64x2(a.raw, b.raw, 0xDD)};
+    }
+    static HWY_INLINE V LowerBlocks(V a, V b) {
+        const auto turns = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
+        return V{_mm512_permutex2var_pd(a.raw, turns, b.raw)};
+    }
+    static HWY_INLINE V UpperBlocks(V a, V b) {
+        const auto turns = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+        return V{_mm512_permutex2var_pd(a.raw, turns, b.raw)};
+    }
+#else
+    static_assert(blocks <= 2);
+    static HWY_INLINE V EvenBlocks(V a, V b) {
+        if constexpr (blocks == 1) return a;
+        return hn::ConcatLowerLower(D(), b, a);
+    }
+    static HWY_INLINE V OddBlocks(V a, V b) {
+        if constexpr (blocks == 1) return b;
+        return hn::ConcatUpperUpper(D(), b, a);
+    }
+    static HWY_INLINE V LowerBlocks(V a, V b) {
+        return EvenBlocks(a, b);
+    }
+    static HWY_INLINE V UpperBlocks(V a, V b) {
+        return OddBlocks(a, b);
+    }
+#endif
 };
+
+/// a - b as a length.
+template <class Format>
+HWY_INLINE typename Lanes<Format>::V Separation(typename Lanes<Format>::P a,
+                                                typename Lanes<Format>::P b,
+                                                typename Lanes<Format>::V unit) {
+    return hn::Mul(Lanes<Format>::Difference(a, b), unit);
+}
 
 #endif  // HWY_TARGET != HWY_SCALAR
 

@@ -30,6 +30,18 @@ namespace HWY_NAMESPACE {
 
 enum class Ending { full_step, half_kick };
 
+/// The lanes of the first n grains of a group.
+template <class Format>
+HWY_INLINE hn::Mask<typename Lanes<Format>::DP> FirstPlaces(std::size_t n) {
+    using Position = typename Format::Position;
+    const typename Lanes<Format>::DP d;
+    const GroupShape shape{hn::Lanes(d), Lanes<Format>::blocks};
+    Position places[hn::MaxLanes(d)];
+    for (std::size_t lane = 0; lane < shape.lanes; ++lane)
+        places[lane] = static_cast<Position>(shape.place_of_lane(lane));
+    return hn::Lt(hn::LoadU(d, places), hn::Set(d, static_cast<Position>(n)));
+}
+
 /// Adds the plates' forces (plates.hpp), and the lid's overlaps to those of the block.
 template <class Format>
 HWY_INLINE void AddPlates(const StepTask<Format>& task, const StepConstants<Format>& c,
@@ -41,7 +53,7 @@ HWY_INLINE void AddPlates(const StepTask<Format>& task, const StepConstants<Form
     const auto stiffness = hn::Set(d, c.plate_stiffness);
     const auto unit = hn::Set(d, c.unit_y);
     const auto length = [&](typename L::P overlap)
-                            HWY_ATTR { return L::Separation(overlap, hn::Zero(dp), unit); };
+                            HWY_ATTR { return Separation<Format>(overlap, hn::Zero(dp), unit); };
     if (c.has_bottom) {
         const auto overlap = hn::Max(hn::Sub(hn::Set(dp, task.bottom), y), hn::Zero(dp));
         fy = hn::MulAdd(stiffness, length(overlap), fy);
@@ -52,7 +64,9 @@ HWY_INLINE void AddPlates(const StepTask<Format>& task, const StepConstants<Form
         if (hn::AllFalse(dp, pushes)) return;
         fy = hn::NegMulAdd(stiffness, length(overlap), fy);
         const std::size_t first = group * hn::Lanes(d);
-        overlap = hn::IfThenElseZero(hn::FirstN(dp, task.grains - first), overlap);
+        if (task.grains - first < hn::Lanes(d)) {
+            overlap = hn::IfThenElseZero(FirstPlaces<Format>(task.grains - first), overlap);
+        }
         task.lid_overlap[first / grains_per_block] +=
             static_cast<double>(hn::GetLane(hn::SumOfLanes(dp, overlap)));
     }
@@ -87,27 +101,29 @@ class SpeedWatch {
     hn::Mask<D> within_;
 };
 
+/// Returns the number of rows that are looked at.
 template <class Kind, bool crosses>
-HWY_INLINE void
-AddRows(ContactForces<Kind>& forces, const typename Kind::Format::Record* HWY_RESTRICT records,
-        const std::uint32_t* HWY_RESTRICT row, const std::uint32_t* HWY_RESTRICT end) {
+HWY_INLINE std::int64_t
+AddRows(ContactForces<Kind>& forces, const StepTask<typename Kind::Format>& task,
+        const std::uint32_t* HWY_RESTRICT row, const float* HWY_RESTRICT gap) {
     using L = Lanes<typename Kind::Format>;
-    for (; row != end; row += hn::Lanes(typename L::D()))
-        forces.template Add<crosses>(L::Load(records, row));
+    const float closed = task.closed;
+    // Ends before the first row that cannot touch yet.
+    const float* const first = gap;
+    for (; *gap <= closed; ++gap, row += hn::Lanes(typename L::D()))
+        forces.template Add<crosses>(L::Neighbours::Load(task.in, row));
+    return gap - first;
 }
 
 /// Half a kick from `vx, vy`, the drift, and the velocities that the next dashpots see.
 template <class Kind>
-HWY_INLINE void KickAndDrift(const StepTask<typename Kind::Format>& task, std::size_t first,
-                             Lanes<typename Kind::Format>& i,
-                             typename Lanes<typename Kind::Format>::V vx,
-                             typename Lanes<typename Kind::Format>::V vy,
-                             typename Lanes<typename Kind::Format>::V ax,
-                             typename Lanes<typename Kind::Format>::V ay,
-                             SpeedWatch<typename Kind::Format>& watch) {
+HWY_INLINE void KickAndDrift(
+    const StepTask<typename Kind::Format>& task, const StepConstants<typename Kind::Format>& c,
+    std::size_t first, Lanes<typename Kind::Format>& i, typename Lanes<typename Kind::Format>::V vx,
+    typename Lanes<typename Kind::Format>::V vy, typename Lanes<typename Kind::Format>::V ax,
+    typename Lanes<typename Kind::Format>::V ay, SpeedWatch<typename Kind::Format>& watch) {
     using L = Lanes<typename Kind::Format>;
     const typename L::D d;
-    const auto& c = *task.constants;
     const auto half = hn::Set(d, c.dt / 2);
     i.vx = hn::MulAdd(ax, half, vx);
     i.vy = hn::MulAdd(ay, half, vy);
@@ -130,8 +146,9 @@ void OpenStep(const StepTask<typename Kind::Format>& task) {
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
         const std::size_t first = group * hn::Lanes(d);
         L i = L::LoadGroup(task.in + first);
-        KickAndDrift<Kind>(task, first, i, i.vx, i.vy, hn::LoadU(d, task.own_x + first),
-                           hn::LoadU(d, task.own_y + first), watch);
+        KickAndDrift<Kind>(task, *task.constants, first, i, i.vx, i.vy,
+                           hn::LoadU(d, task.own_x + first), hn::LoadU(d, task.own_y + first),
+                           watch);
         i.StoreGroup(task.out + first);
     }
     watch.Tell();
@@ -139,36 +156,42 @@ void OpenStep(const StepTask<typename Kind::Format>& task) {
 
 /// Forces on the groups of the task and what follows from them.
 template <class Kind, Ending ending>
-void ForceStep(const StepTask<typename Kind::Format>& task) {
+void ForceStep(const StepTask<typename Kind::Format>& given) {
+    // Copies, which no store to a record can change: constants stay in registers.
+    const StepTask<typename Kind::Format> task = given;
+    const StepConstants<typename Kind::Format> c = *task.constants;
     using Format = typename Kind::Format;
     using L = Lanes<Format>;
     const typename L::D d;
     const std::size_t lanes = hn::Lanes(d);
-    const auto& c = *task.constants;
     const auto inverse_mass = hn::Set(d, c.inverse_mass);
     const auto half = hn::Set(d, c.dt / 2);
     SpeedWatch<Format> watch(task);
+    ContactForces<Kind> forces(c);
+    std::int64_t looked_at = 0;
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
         const std::size_t first = group * lanes;
-        L i = L::LoadGroup(task.in + first);
-        ContactForces<Kind> forces(c, i);
-        const auto* row = task.list->offsets.data() + task.list->first_row[group] * lanes;
-        const auto* end = task.list->offsets.data() + task.list->first_row[group + 1] * lanes;
+        forces.Begin(task.in + first);
+        const std::size_t first_row = task.list->first_row[group];
+        const auto* row = task.list->offsets.data() + first_row * lanes;
+        const auto* gap = task.list->gaps.data() + first_row + group;
         if (std::is_same_v<Format, DoubleFormat> && task.list->crosses[group] != 0) {
-            AddRows<Kind, true>(forces, task.in, row, end);
+            looked_at += AddRows<Kind, true>(forces, task, row, gap);
         } else {
-            AddRows<Kind, false>(forces, task.in, row, end);
+            looked_at += AddRows<Kind, false>(forces, task, row, gap);
         }
-        AddPlates(task, c, group, i.y, forces.fy);
-        const auto ax = hn::Mul(forces.fx, inverse_mass);
-        const auto ay = hn::MulSub(forces.fy, inverse_mass, hn::Set(d, c.gravity));
+        L i = forces.End(task.in + first);
+        auto fy = forces.Y();
+        AddPlates(task, c, group, i.y, fy);
+        const auto ax = hn::Mul(forces.X(), inverse_mass);
+        const auto ay = hn::MulSub(fy, inverse_mass, hn::Set(d, c.gravity));
         // v_{n+1}
         const auto vx =
             hn::MulAdd(ax, half, Kind::predicted ? hn::LoadU(d, task.own_x + first) : i.vx);
         const auto vy =
             hn::MulAdd(ay, half, Kind::predicted ? hn::LoadU(d, task.own_y + first) : i.vy);
         if constexpr (ending == Ending::full_step) {
-            KickAndDrift<Kind>(task, first, i, vx, vy, ax, ay, watch);
+            KickAndDrift<Kind>(task, c, first, i, vx, vy, ax, ay, watch);
         } else {
             hn::StoreU(ax, d, task.own_x + first);
             hn::StoreU(ay, d, task.own_y + first);
@@ -178,11 +201,13 @@ void ForceStep(const StepTask<typename Kind::Format>& task) {
         i.StoreGroup(task.out + first);
     }
     watch.Tell();
+    *task.rows += looked_at;
 }
 
 template <class Kind>
 StepFunctions<typename Kind::Format> FunctionsOf() {
-    return {.lanes = hn::Lanes(typename Lanes<typename Kind::Format>::D()),
+    return {.group = {hn::Lanes(typename Lanes<typename Kind::Format>::D()),
+                      Lanes<typename Kind::Format>::blocks},
             .instruction_set = hwy::TargetName(HWY_TARGET),
             .open = OpenStep<Kind>,
             .full = ForceStep<Kind, Ending::full_step>,

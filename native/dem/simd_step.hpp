@@ -10,7 +10,7 @@ namespace crossgrain::dem {
 template <class Format>
 struct StepFunctions {
     using Function = void (*)(const StepTask<Format>&);
-    std::size_t lanes = 0;  ///< grains per group
+    GroupShape group;
     std::string instruction_set;
     /// From (x_n, v_n, a_n) to (x_{n+1}, v*, v_{n+1/2}): half a kick and the drift.
     Function open = nullptr;

@@ -50,15 +50,15 @@ Survey SurveyGroups(const SurveyTask<Format>& task) {
     const auto centre_y = hn::Set(d, task.centre_y);
     const L first = L::LoadGroup(task.now + task.first_group * hn::Lanes(d));
     const L listed_first = L::LoadGroup(task.listed + task.first_group * hn::Lanes(d));
-    Extremes<D> x(L::Separation(first.x, listed_first.x, unit_x));
-    Extremes<D> y(L::Separation(first.y, listed_first.y, unit_y));
+    Extremes<D> x(Separation<Format>(first.x, listed_first.x, unit_x));
+    Extremes<D> y(Separation<Format>(first.y, listed_first.y, unit_y));
     Extremes<D> vx(first.vx), vy(first.vy), distance(hn::Zero(d));
     auto finite = hn::Eq(hn::Zero(d), hn::Zero(d));
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
         const L now = L::LoadGroup(task.now + group * hn::Lanes(d));
         const L listed = L::LoadGroup(task.listed + group * hn::Lanes(d));
-        const auto dx = L::Separation(now.x, listed.x, unit_x);
-        const auto dy = L::Separation(now.y, listed.y, unit_y);
+        const auto dx = Separation<Format>(now.x, listed.x, unit_x);
+        const auto dy = Separation<Format>(now.y, listed.y, unit_y);
         x.Look(dx);
         y.Look(dy);
         vx.Look(now.vx);

@@ -37,14 +37,14 @@ class ThreadTeam {
         wait_for_workers();
     }
 
-    /// work(begin, end) on parts of 0 ... count that begin at multiples of `grain`.
+    /// work(begin, end, thread) on parts of 0 ... count that begin at multiples of `grain`.
     template <class Work>
     void split(std::size_t count, std::size_t grain, const Work& work) {
         const std::size_t pieces = (count + grain - 1) / grain;
         run([&](std::size_t thread) {
             const std::size_t begin = pieces * thread / size() * grain;
             const std::size_t end = pieces * (thread + 1) / size() * grain;
-            if (begin < count) work(begin, end < count ? end : count);
+            if (begin < count) work(begin, end < count ? end : count, thread);
         });
     }
 
