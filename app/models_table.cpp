@@ -1,6 +1,5 @@
 #include "app/models_table.hpp"
 
-#include "app/text_table.hpp"
 #include "reference/compare/equivalence.hpp"
 #include "reference/compare/student.hpp"
 
@@ -10,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string_view>
 
 namespace crossgrain::app {
 namespace {
@@ -17,9 +18,19 @@ namespace {
 using compare::Outcome;
 using Kind = TableCell::Kind;
 
+/// The word of a finding that a run, or the runs together, cannot tell.
+constexpr std::string_view unsure = "undecided";
+
 TableCell absent(std::string reason) {
     TableCell cell;
     cell.reason = std::move(reason);
+    return cell;
+}
+
+/// The runs are there, and their estimators gave no such result.
+TableCell not_measured(std::string reason) {
+    TableCell cell = absent(std::move(reason));
+    cell.measured_nothing = true;
     return cell;
 }
 
@@ -61,13 +72,30 @@ class Reader {
     }
 
   private:
-    [[nodiscard]] TableCell finding(const std::string& name, std::size_t index) const {
-        const auto* run = report_.runs.find(code_, index, 0, 0);
-        if (run == nullptr) return absent("no run in the store");
-        for (const auto& one : run->results.findings) {
-            if (one.name == name) return {.kind = Kind::word, .word = one.label};
+    /// The word of two thirds of the runs or more.
+    [[nodiscard]] TableCell finding(const std::string& name, std::size_t variant) const {
+        std::map<std::string, std::size_t> words;
+        std::size_t runs = 0;
+        for (std::int64_t r = 0; r < report_.runs.replicas(code_, variant, 0); ++r) {
+            const auto* run = report_.runs.find(code_, variant, 0, r);
+            if (run == nullptr) continue;
+            for (const auto& one : run->results.findings) {
+                if (one.name != name) continue;
+                ++words[one.label];
+                ++runs;
+                break;
+            }
         }
-        return absent(fmt::format("'{}' was not found", name));
+        if (runs == 0) return not_measured(fmt::format("'{}' was not found", name));
+        std::string told;
+        TableCell cell{.kind = Kind::word, .word = std::string(unsure)};
+        for (const auto& [word, count] : words) {
+            told +=
+                fmt::format("{}{} in {} of {} runs", told.empty() ? "" : ", ", word, count, runs);
+            if (3 * count >= 2 * runs) cell.word = word;
+        }
+        if (words.size() > 1) cell.reason = told;
+        return cell;
     }
 
     /// In the variant, or over all variants of the case.
@@ -83,7 +111,7 @@ class Reader {
                         .degrees_of_freedom = m.combined.degrees_of_freedom};
             }
         }
-        return absent(fmt::format("'{}' was not measured", name));
+        return not_measured(fmt::format("'{}' was not measured", name));
     }
 
     [[nodiscard]] static TableCell quotient(const TableCell& above, const TableCell& below) {
@@ -148,15 +176,22 @@ void judge_same(const TableRow& row, const TableCell& reference, TableCell& cell
     cell.reason = answer.reason;
 }
 
+void judge_word(const TableCell& reference, TableCell& cell) {
+    const bool told = cell.word != unsure && reference.word != unsure;
+    cell.outcome = !told                         ? Outcome::undecided
+                   : cell.word == reference.word ? Outcome::agree
+                                                 : Outcome::disagree;
+    if (cell.outcome == Outcome::agree) return;
+    cell.reason = fmt::format("{}, not {}{}{}", cell.word, reference.word,
+                              cell.reason.empty() ? "" : ": ", cell.reason);
+}
+
 void judge(const TableRow& row, const TableCell& reference, TableCell& cell) {
     if (cell.kind != reference.kind) {
         cell.outcome = Outcome::undecided;
         cell.reason = "a number and a word cannot be compared";
     } else if (cell.kind == Kind::word) {
-        cell.outcome = cell.word == reference.word ? Outcome::agree : Outcome::disagree;
-        if (cell.outcome == Outcome::disagree) {
-            cell.reason = fmt::format("{}, not {}", cell.word, reference.word);
-        }
+        judge_word(reference, cell);
     } else if (row.judge == RowJudge::sign) {
         const int a = certain_sign(cell), b = certain_sign(reference);
         cell.outcome = a == 0 || b == 0 ? Outcome::undecided
@@ -177,17 +212,6 @@ Outcome together(const std::vector<TableCell>& cells) {
         if (any(outcome)) return outcome;
     }
     return Outcome::no_reference;
-}
-
-std::string cell_text(const TableCell& cell, bool is_reference) {
-    if (cell.kind == Kind::absent) return cell.source.empty() ? "" : "not run";
-    std::string text = cell.kind == Kind::word ? cell.word : fmt::format("{:.3g}", cell.value);
-    if (cell.kind == Kind::number && cell.standard_error > 0) {
-        text += fmt::format(" +- {:.1g}", cell.standard_error);
-    }
-    if (is_reference) return text + " (ref)";
-    if (cell.outcome == Outcome::disagree) return text + " (!)";
-    return cell.outcome == Outcome::undecided ? text + " (?)" : text;
 }
 
 }  // namespace
@@ -239,82 +263,6 @@ nlohmann::json phenomena_document(const std::vector<CaseReport>& cases) {
         all.push_back(json_of(fill(phenomenon, cases, literature)));
     }
     return all;
-}
-
-std::string text_of(const ModelsTable& table) {
-    std::vector<std::string> header{"quantity"};
-    for (const TableColumn& column : table.phenomenon.columns)
-        header.push_back(column.title);
-    header.emplace_back("verdict");
-    TextTable text(header);
-    std::string notes;
-    for (const FilledRow& row : table.rows) {
-        std::vector<std::string> line{row.row.quantity};
-        for (std::size_t c = 0; c < row.cells.size(); ++c) {
-            const bool is_reference = table.phenomenon.columns[c].name == row.row.against;
-            line.push_back(cell_text(row.cells[c], is_reference));
-        }
-        line.push_back(compare::to_string(row.outcome));
-        text.add(std::move(line));
-        if (row.outcome == Outcome::disagree && !row.row.left_out.empty()) {
-            notes += fmt::format("  {}: {}\n", row.row.quantity, row.row.left_out);
-        }
-    }
-    return fmt::format("{}: {}\n{}{}{}", table.phenomenon.name, table.phenomenon.title, text.text(),
-                       notes.empty() ? "" : "where they differ:\n", notes);
-}
-
-nlohmann::json json_of(const ModelsTable& table) {
-    using nlohmann::json;
-    json columns = json::array(), rows = json::array(), pictures = json::array();
-    for (const TableColumn& column : table.phenomenon.columns) {
-        columns.push_back({{"name", column.name},
-                           {"title", column.title},
-                           {"code", column.code},
-                           {"case", column.case_name},
-                           {"variant", column.variant}});
-    }
-    for (const FilledRow& filled : table.rows) {
-        json cells = json::array();
-        for (std::size_t c = 0; c < filled.cells.size(); ++c) {
-            const TableCell& cell = filled.cells[c];
-            json entry{
-                {"column", table.phenomenon.columns[c].name},
-                {"source", cell.source},
-                {"case", cell.case_name},
-                {"variant", cell.variant},
-                {"reason", cell.reason},
-                {"verdict", cell.outcome ? json(compare::to_string(*cell.outcome)) : json()}};
-            if (cell.kind == Kind::number) {
-                entry["value"] = cell.value;
-                entry["stderr"] = cell.standard_error;
-            }
-            if (cell.kind == Kind::word) entry["word"] = cell.word;
-            cells.push_back(std::move(entry));
-        }
-        const TableRow& row = filled.row;
-        rows.push_back({{"quantity", row.quantity},
-                        {"against", row.against},
-                        {"margin", row.judge == RowJudge::same ? json(row.margin) : json()},
-                        {"relative", row.relative},
-                        {"reason", row.reason},
-                        {"left_out", row.left_out},
-                        {"verdict", compare::to_string(filled.outcome)},
-                        {"cells", std::move(cells)}});
-    }
-    for (const TablePicture& picture : table.phenomenon.pictures) {
-        pictures.push_back({{"title", picture.title},
-                            {"case", picture.case_name},
-                            {"code", picture.code},
-                            {"variant", picture.variant},
-                            {"name", picture.name}});
-    }
-    return {{"phenomenon", table.phenomenon.name},
-            {"title", table.phenomenon.title},
-            {"text", table.phenomenon.text},
-            {"columns", std::move(columns)},
-            {"rows", std::move(rows)},
-            {"pictures", std::move(pictures)}};
 }
 
 }  // namespace crossgrain::app

@@ -18,7 +18,8 @@ struct TableCell {
     double value = 0, standard_error = 0, degrees_of_freedom = 0;
     std::string word;
     std::string case_name, variant, source;  ///< where it comes from
-    std::string reason;  ///< why it is absent, or why its verdict is none of agreement
+    bool measured_nothing = false;  ///< absent though the code ran: a wave that is not there
+    std::string reason;             ///< why it is absent, or why its verdict is none of agreement
     /// Against the row's reference; nothing for absent cells and the reference itself.
     std::optional<compare::Outcome> outcome;
 };

@@ -54,6 +54,16 @@ bool has_pattern(const std::vector<FluxRegression>& blocks) {
     return excess(nobody) > std::max(least_excess, sigmas * jackknife_error(without));
 }
 
+/// Whether a pattern goes with the grains, by the 95 % interval of V_w/V: an interval too wide to
+/// lie near 1 says nothing of the kind.
+const char* relative_to_grains(const Measurement& ratio) {
+    constexpr double closest = 0.05;
+    constexpr double student = 2.365;  // 97.5 %, pipe_blocks - 1 = 7 degrees of freedom
+    const double away = std::abs(ratio.value - 1), reach = student * ratio.standard_error;
+    if (away + reach < closest) return "carried";
+    return away > reach ? "wave" : "undecided";
+}
+
 /// Mean velocity of the grains without one block.
 double speed_without(const PipeRecord& record, std::size_t left_out) {
     double grains = 0, summed = 0;
@@ -101,12 +111,9 @@ void PipeWave::append_ratios(const PipeOverlap& overlap,
     results.measurements.push_back(jackknifed(
         "wave_over_flux_slope", velocity / sum_of(regression, nobody).slope(),
         [&](std::size_t b) { return velocities[b] / sum_of(regression, b).slope(); }, "1"));
-    constexpr double sigmas = 3, closest = 0.02;
-    const bool carried =
-        std::abs(ratio.value - 1) < std::max(closest, sigmas * ratio.standard_error);
     results.findings.push_back(
         {.name = "wave",
-         .label = carried ? "carried" : "wave",
+         .label = relative_to_grains(ratio),
          .detail = fmt::format("V_w/V = {:.3f} +- {:.3f}", ratio.value, ratio.standard_error)});
 }
 

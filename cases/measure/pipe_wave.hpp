@@ -31,8 +31,9 @@ struct PipeWaveOptions {
 /// - `wave_velocity`: from the frequency at which the strongest of the modes 1 to 7 turns; error
 ///   from the scatter of the quarters' peaks, systematic half a frequency step; settings k and
 ///   peak_ratio. Absent without a peak, or if the frames are too far apart (finding "sampling").
-/// Finding "wave": "wave"; "carried" if V_w/V is 1 within three errors or 2 %: a pattern at rest
-/// among the grains; "none" if nothing travels. Series "overlap" and "flux".
+/// Finding "wave", by the 95 % interval of V_w/V: "carried" if it lies within 5 % of 1, a pattern
+/// at rest among the grains; else "wave" if it does not hold 1; else "undecided"; "none" if nothing
+/// travels. Series "overlap" and "flux".
 /// Nothing with fewer than 128 frames.
 class PipeWave final : public Estimator {
   public:

@@ -129,6 +129,8 @@ BOOST_AUTO_TEST_CASE(what_has_not_run_is_never_green) {
     const auto unmeasured =
         filled("margin = 0.1\nvalue = { grains = \"other\" }\n", {run_of("a", first, 1, 0)});
     BOOST_TEST(unmeasured.cells[0].reason == "'other' was not measured");
+    BOOST_TEST(unmeasured.cells[0].measured_nothing);
+    BOOST_TEST(!broken.cells[1].measured_nothing);
 }
 
 BOOST_AUTO_TEST_CASE(quotients_carry_their_errors) {
@@ -154,6 +156,25 @@ BOOST_AUTO_TEST_CASE(signs_and_words) {
     BOOST_CHECK(row.cells[0].outcome == Outcome::agree);
     BOOST_CHECK(row.cells[1].outcome == Outcome::disagree);
     BOOST_TEST(row.cells[1].reason == "carried, not wave");
+}
+
+BOOST_AUTO_TEST_CASE(a_word_needs_two_thirds_of_the_runs) {
+    const std::string word = "judge = \"word\"\nagainst = \"book\"\nvalue = { grains = "
+                             "\"finding:wave\", book = \"word:wave\" }\n";
+    const auto of = [&](const std::vector<std::string>& labels) {
+        std::vector<store::RunRecord> runs;
+        for (const auto& label : labels) {
+            runs.push_back(run_of("a", first, 1, 0.1, label));
+            runs.back().replica = static_cast<std::int64_t>(runs.size()) - 1;
+        }
+        return filled(word, runs).cells[0];
+    };
+    BOOST_CHECK(of({"wave", "wave", "carried"}).outcome == Outcome::agree);
+    BOOST_TEST(of({"wave", "wave", "carried"}).reason ==
+               "carried in 1 of 3 runs, wave in 2 of 3 runs");
+    BOOST_CHECK(of({"carried", "wave", "carried"}).outcome == Outcome::disagree);
+    BOOST_CHECK(of({"wave", "carried"}).outcome == Outcome::undecided);
+    BOOST_CHECK(of({"undecided"}).outcome == Outcome::undecided);
 }
 
 BOOST_AUTO_TEST_CASE(a_column_may_differ_from_its_group_in_the_variant_only) {

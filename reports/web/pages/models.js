@@ -31,7 +31,12 @@ window.crossgrain = window.crossgrain || {};
 
   function content(cell, row) {
     if (!cell.source) return "";
-    if (!isValue(cell)) return el("span", { class: "note", title: cell.reason || null }, "not run");
+    if (!isValue(cell))
+      return el(
+        "span",
+        { class: "note", title: cell.reason || null },
+        cell.measured_nothing ? "–" : "not run",
+      );
     const symbol = cell.column === row.against ? "reference" : cell.verdict ? describe(cell.verdict).symbol : "";
     return el(
       "span",
@@ -89,10 +94,62 @@ window.crossgrain = window.crossgrain || {};
     return crossgrain.pictures({ pictures: found });
   }
 
+  const conventions = ["velocity_lever", "torque_lever", "rotation", "limit"];
+  const words = (name) => name.replaceAll("_", " ");
+
+  /** A mean in percent of both codes' mean, with all digits and its unit in the tooltip. */
+  function percent(mean, observable, significant) {
+    const scale = Math.abs(observable.a.value + observable.b.value) / 200;
+    const exact = [format.exact(mean.value) + " ± " + format.exact(mean.stderr), observable.unit].join(" ");
+    const text = (mean.value / scale).toFixed(2) + " ± " + (mean.stderr / scale).toFixed(2);
+    return el("span", { title: exact }, text.replace("-", "−"), significant ? el("strong", {}, " *") : null);
+  }
+
+  function attributionRow(pair, observable) {
+    const parts = conventions.map((key) => {
+      const part = list(observable.contributions).find((one) => one.switch === key);
+      return part ? percent(part.average, observable, part.significant) : "";
+    });
+    return [
+      pair.a + ", " + pair.b,
+      words(observable.observable),
+      percent(observable.difference, observable, observable.significant),
+      ...parts,
+      list(pair.switches).length > 1 ? percent(observable.interaction, observable, false) : "",
+    ];
+  }
+
+  /** What each convention of friction makes of the difference between two codes. */
+  function attribution(pairs) {
+    if (pairs.length === 0) return null;
+    return [
+      el("h3", {}, "What conventions of friction make of the answer"),
+      el(
+        "p",
+        { class: "note" },
+        "The engine " + pairs[0].code + " with one convention switched at a time: second code's minus " +
+          "first code's, in percent of their mean, averaged over the orders of switching. " +
+          "* differs from 0 at 95 %; interaction: beyond what each makes alone.",
+      ),
+      table({
+        caption: "attribution of differences to conventions",
+        columns: ["conventions", "observable", "difference", ...conventions.map(words), "interaction"].map(
+          (title) => ({ title }),
+        ),
+        rows: pairs.flatMap((pair) =>
+          list(pair.observables).map((observable) => attributionRow(pair, observable)),
+        ),
+        className: "models",
+      }),
+    ];
+  }
+
   crossgrain.models = (report) => {
     const items = list(report.phenomena);
-    if (items.length === 0) return [missing("This report compares no models with molecular dynamics.")];
-    return items.map((item) => {
+    const attributed = attribution(list(report.attribution));
+    if (items.length === 0 && !attributed)
+      return [missing("This report compares no models with molecular dynamics.")];
+    const tables = items.map((item) => {
       const rows = list(item.rows).filter((row) => list(row.cells).some((cell) => cell.case && isValue(cell)));
       return [
         el("h3", {}, item.title),
@@ -102,6 +159,7 @@ window.crossgrain = window.crossgrain || {};
           : missing("No run of its cases in this store: crossgrain run " + casesOf(item).join(" ") + "."),
       ];
     });
+    return [tables, attributed];
   };
 
   function casesOf(item) {
