@@ -1,5 +1,6 @@
 #include "app/model_observables.hpp"
 
+#include "cases/measure/gas_bin_lag.hpp"
 #include "cases/measure/gas_contrast.hpp"
 #include "cases/measure/gas_correlation.hpp"
 #include "cases/measure/gas_energy.hpp"
@@ -166,6 +167,10 @@ const std::vector<GasObservable>& gas_observables() {
          "drift_variance, drift_particles, absorbing_fraction, saturated_fraction",
          {"tolerance", "sigmas"},
          make_steady_state},
+        {"gas-bin-lag",
+         "bin_lag_variance: whether all bins of a frame show the same instant",
+         {},
+         make_plain<measure::GasBinLag>},
         {"gas-contrast",
          "contrast_late, contrast_growth, contrast_grows, contrast_excess; C(t) beside white noise",
          {},
@@ -175,7 +180,10 @@ const std::vector<GasObservable>& gas_observables() {
          "energy_saturation_time; E(0) - E(t)",
          {},
          make_plain<measure::GasEnergy>},
-        {"gas-flux", "flux, mean_speed, flux_slope; J(rho)", {"window"}, make_flux},
+        {"gas-flux",
+         "flux, mean_speed, particles_per_site, flux_slope; J(rho)",
+         {"window"},
+         make_flux},
         {"gas-overlap",
          "overlap_velocity, overlap_wave_fraction, overlap_other_fraction; shift against interval",
          {"lag_min", "lag_max", "lag_step", "smoothing", "v_min", "v_max", "references"},

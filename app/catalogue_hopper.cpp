@@ -103,7 +103,7 @@ const std::vector<HopperObservable>& hopper_observables() {
          make_surface},
         {"hopper-pattern",
          "neighbour_correlation, correlation_length_x and _y, vertical_fraction, "
-         "pattern_velocity..., asymmetry; state",
+         "pattern_velocity..., asymmetry, mirror_imbalance_sites and _grains; state",
          {"half_width", "from", "to", "lag", "window"},
          make_pattern},
         {"hopper-damage",

@@ -12,6 +12,7 @@
 namespace crossgrain::app {
 namespace {
 
+using scene::LatticeGas;
 using scene::Scene;
 using scene::SyntheticSignal;
 
@@ -104,6 +105,17 @@ const std::map<std::string, double (*)(const SyntheticSignal&)>& signal_oracles(
     return all;
 }
 
+/// What the rules of a lattice gas conserve.
+const std::map<std::string, std::optional<double> (*)(const LatticeGas&)>& gas_oracles() {
+    static const std::map<std::string, std::optional<double> (*)(const LatticeGas&)> all{
+        {"analytic:gas_density",
+         [](const LatticeGas& g) {
+             return g.ends == scene::PipeEnds::periodic ? std::optional(g.density) : std::nullopt;
+         }},
+    };
+    return all;
+}
+
 }  // namespace
 
 std::optional<double> exact_value(const std::string& name, const scene::AnyScene& scene) {
@@ -112,6 +124,10 @@ std::optional<double> exact_value(const std::string& name, const scene::AnyScene
         const auto found = signal_oracles().find(name);
         return found == signal_oracles().end() ? std::nullopt
                                                : std::optional(found->second(*signal));
+    }
+    if (const auto* gas = std::get_if<LatticeGas>(&scene)) {
+        const auto found = gas_oracles().find(name);
+        return found == gas_oracles().end() ? std::nullopt : found->second(*gas);
     }
     const auto* grains = std::get_if<Scene>(&scene);
     const auto found = oracles().find(name);
@@ -129,6 +145,8 @@ std::vector<std::string> oracle_names() {
     for (const auto& [name, oracle] : oracles())
         names.push_back(name);
     for (const auto& [name, oracle] : signal_oracles())
+        names.push_back(name);
+    for (const auto& [name, oracle] : gas_oracles())
         names.push_back(name);
     return names;
 }

@@ -1,12 +1,15 @@
 // Measurements over the variants of a case: exponents, Beverloo's constants, slopes.
 #include "app/evaluate.hpp"
 
+#include "reference/compare/bootstrap.hpp"
 #include "reference/compare/sweep_fit.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <span>
 
 namespace crossgrain::app {
 namespace {
@@ -15,7 +18,8 @@ namespace {
 struct Point {
     std::size_t variant = 0;
     compare::SweepPoint at;
-    double along = 0;  ///< x before any tangent
+    std::vector<double> by_replica;  ///< y, shape (replicas)
+    double along = 0;                ///< x before any tangent
     std::size_t replicas = 0;
 };
 
@@ -37,6 +41,19 @@ std::optional<double> abscissa(const CaseRuns& runs, const catalog::Fit& fit,
     const auto measured = runs.combined(code, variant, 0, fit.along);
     if (!measured) return std::nullopt;
     return measured->measurement.value;
+}
+
+std::vector<double> replicas_of(const CaseRuns& runs, const std::string& code, std::size_t variant,
+                                const std::string& observable) {
+    std::vector<double> values;
+    for (std::int64_t replica = 0; replica < runs.replicas(code, variant, 0); ++replica) {
+        const auto* run = runs.find(code, variant, 0, replica);
+        if (run == nullptr) continue;
+        for (const auto& m : run->results.measurements) {
+            if (m.observable == observable) values.push_back(m.value);
+        }
+    }
+    return values;
 }
 
 bool takes_part(const catalog::Fit& fit, const std::string& variant) {
@@ -63,11 +80,37 @@ std::vector<Point> points_of(const CaseRuns& runs, const catalog::Fit& fit,
                           .at = {.x = fit.tangent ? std::tan(*x * std::numbers::pi / 180) : *x,
                                  .y = y->measurement.value,
                                  .standard_error = y->measurement.standard_error},
+                          .by_replica = replicas_of(runs, code, v, fit.observable),
                           .along = *x,
                           .replicas = y->replicas});
     }
     std::ranges::sort(points, {}, [](const Point& p) { return p.at.x; });
     return points;
+}
+
+using Law =
+    std::function<std::optional<compare::SweepEstimate>(std::span<const compare::SweepPoint>)>;
+
+compare::FittedValue value_of(const Law& law) {
+    return [&law](std::span<const compare::SweepPoint> points) -> std::optional<double> {
+        const auto estimate = law(points);
+        if (!estimate) return std::nullopt;
+        return estimate->value;
+    };
+}
+
+std::optional<compare::SweepEstimate>
+fit_inverse_exponent(std::span<const compare::SweepPoint> points) {
+    auto fit = compare::fit_exponent(points);
+    if (fit) fit->value = -fit->value;
+    return fit;
+}
+
+Law outlet_law(compare::SweepEstimate compare::OutletLaw::*part) {
+    return [part](std::span<const compare::SweepPoint> points) {
+        const auto law = compare::fit_outlet_law(points);
+        return law ? std::optional((*law).*part) : std::nullopt;
+    };
 }
 
 class FitOfCode {
@@ -76,61 +119,77 @@ class FitOfCode {
               Evaluation& evaluation)
         : fit_(fit), code_(std::move(code)), points_(points_of(runs, fit, code_)),
           evaluation_(evaluation), runs_(runs) {
-        for (const Point& point : points_)
+        for (const Point& point : points_) {
             at_.push_back(point.at);
+            replicated_.push_back({.x = point.at.x, .y = point.by_replica});
+        }
     }
 
     void append() {
         switch (fit_.law) {
         case catalog::FitLaw::exponent:
-            return append("", compare::fit_exponent(at_));
+            return append_fit("", compare::fit_exponent);
         case catalog::FitLaw::inverse_exponent:
-            if (auto fit = compare::fit_exponent(at_)) {
-                fit->value = -fit->value;
-                append("", fit);
-            }
-            return;
+            return append_fit("", fit_inverse_exponent);
         case catalog::FitLaw::outlet:
-            if (const auto law = compare::fit_outlet_law(at_)) {
-                append("_factor", law->factor);
-                append("_cut", law->cut);
-            }
-            return;
+            append_fit("_factor", outlet_law(&compare::OutletLaw::factor));
+            return append_fit("_cut", outlet_law(&compare::OutletLaw::cut));
         case catalog::FitLaw::outlet_exponent:
-            return append("", compare::fit_outlet_exponent(at_));
+            return append_fit("", compare::fit_outlet_exponent);
         case catalog::FitLaw::local_slope:
             return append_slopes();
         }
     }
 
   private:
-    void append(const std::string& suffix, const std::optional<compare::SweepEstimate>& estimate,
-                const std::string& variant = "") {
-        if (!estimate) return;
-        CodeMeasurement m{.code = code_, .variant = variant};
+    CodeMeasurement measurement(const std::string& suffix,
+                                const compare::SweepEstimate& estimate) const {
+        CodeMeasurement m{.code = code_};
         m.combined.measurement = {.observable = fit_.name + suffix,
-                                  .value = estimate->value,
-                                  .standard_error = estimate->standard_error,
+                                  .value = estimate.value,
+                                  .standard_error = estimate.standard_error,
                                   .n = points_.size(),
                                   .settings = {{"points", static_cast<double>(points_.size())},
                                                {"from", points_.front().along},
                                                {"to", points_.back().along}}};
         m.combined.replicas = points_.front().replicas;
         m.combined.basis = compare::ErrorBasis::within_run;
-        m.combined.degrees_of_freedom = estimate->degrees_of_freedom;
-        evaluation_.measurements.push_back(std::move(m));
+        m.combined.degrees_of_freedom = estimate.degrees_of_freedom;
+        return m;
     }
 
+    /// The error is the larger of the fit's own and that of resampled replicas; both are in the
+    /// settings.
+    void append_fit(const std::string& suffix, const Law& law) {
+        const auto estimate = law(at_);
+        if (!estimate) return;
+        CodeMeasurement found = measurement(suffix, *estimate);
+        auto& m = found.combined.measurement;
+        if (const auto resampled = compare::bootstrap_error(replicated_, value_of(law))) {
+            m.settings["error_of_fit"] = m.standard_error;
+            m.settings["error_of_bootstrap"] = *resampled;
+            m.standard_error = std::max(m.standard_error, *resampled);
+        }
+        m.systematic = compare::systematic_over_windows(at_, value_of(law)).value_or(0);
+        evaluation_.measurements.push_back(std::move(found));
+    }
+
+    /// Linear in the points: propagation is exact, and there is no window to choose.
     void append_slopes() {
         const auto slopes = compare::local_slopes(at_);
-        for (std::size_t i = 0; i < points_.size(); ++i)
-            append("", slopes[i], runs_.the_case().variants[points_[i].variant].name);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (!slopes[i]) continue;
+            CodeMeasurement slope = measurement("", *slopes[i]);
+            slope.variant = runs_.the_case().variants[points_[i].variant].name;
+            evaluation_.measurements.push_back(std::move(slope));
+        }
     }
 
     const catalog::Fit& fit_;
     std::string code_;
     std::vector<Point> points_;
     std::vector<compare::SweepPoint> at_;
+    std::vector<compare::ReplicatedPoint> replicated_;
     Evaluation& evaluation_;
     const CaseRuns& runs_;
 };

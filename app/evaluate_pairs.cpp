@@ -121,9 +121,15 @@ void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation
 /// that order their sums differently cannot be alike to the last bit.
 constexpr double grown = 1e-9;
 
-/// LIGGGHTS is a fork of LAMMPS: the same arithmetic in the same order may give the same bits.
-bool share_arithmetic(const std::string& a, const std::string& b) {
-    return (a == "lammps" && b == "liggghts") || (a == "liggghts" && b == "lammps");
+/// LIGGGHTS is a fork of LAMMPS: in a gas the same arithmetic in the same order gives the same bits
+/// for good (measured: after 100 contact times still no difference at all). A free lid they do not
+/// move alike: the one has its own fix for the plate, the other a formula for the force on each
+/// grain and its sum, and their round-off grows apart like that of any other two.
+bool share_arithmetic(const CaseRuns& runs, std::size_t variant, const std::string& a,
+                      const std::string& b) {
+    const auto is_pair = [&](const char* one, const char* other) { return a == one && b == other; };
+    if (!is_pair("lammps", "liggghts") && !is_pair("liggghts", "lammps")) return false;
+    return !runs.the_case().grain_scene(variant, 0, 1).has_free_lid();
 }
 
 /// Doubts pairs without any difference at a time at which round-off has grown between other codes:
@@ -138,7 +144,7 @@ void doubt_identical(const CaseRuns& runs, const catalog::Check& check,
     for (const auto& [index, variant] : judged) {
         auto& verdict = evaluation.verdicts[index];
         if (verdict.difference > 0 || largest[variant] < grown) continue;
-        if (share_arithmetic(verdict.code, verdict.against)) continue;
+        if (share_arithmetic(runs, variant, verdict.code, verdict.against)) continue;
         conclude(runs, check, variant, verdict.against, Outcome::disagree,
                  fmt::format("the same to the last bit, where other codes differ by {:.1g}: do "
                              "both read the same output?",

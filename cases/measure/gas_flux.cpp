@@ -115,7 +115,7 @@ Series GasFlux::curve() const {
 
 void GasFlux::finish(Results& results) {
     const double sites = static_cast<double>(sampling_.bin) * sampling_.width;
-    std::vector<double> fluxes, speeds;
+    std::vector<double> fluxes, speeds, densities;
     for (std::size_t r = 0; r < replicas_; ++r) {
         double bins = 0, summed = 0, particles = 0;
         for (std::size_t n = 0; n < densities_; ++n) {
@@ -126,10 +126,12 @@ void GasFlux::finish(Results& results) {
         }
         if (bins == 0) return;
         fluxes.push_back(summed / bins / sites);
+        densities.push_back(particles / bins / sites);
         if (particles > 0) speeds.push_back(summed / particles);
     }
     results.series.push_back(curve());
     results.measurements.push_back(over_replicas("flux", fluxes, "1/step"));
+    results.measurements.push_back(over_replicas("particles_per_site", densities, "1/site"));
     if (speeds.size() == replicas_) {
         results.measurements.push_back(over_replicas("mean_speed", speeds, "sites/step"));
     }

@@ -18,7 +18,12 @@ constexpr double least_correlation = 0.1;
 /// Above this asymmetry a hopper empties on one side: symmetric ones have 0.01 to 0.05.
 constexpr double most_asymmetry = 0.2;
 
-double emptied_asymmetry(const scene::HopperFrame& frame) {
+double imbalance(double one, double other) {
+    return one + other == 0 ? 0 : (one - other) / (one + other);
+}
+
+/// Of the emptied sites to the left and to the right of the middle.
+double emptied_imbalance(const scene::HopperFrame& frame) {
     double left = 0, right = 0;
     for (const scene::HopperLevel& level : frame.levels) {
         for (std::size_t i = 0; i < level.sites(); ++i) {
@@ -28,7 +33,14 @@ double emptied_asymmetry(const scene::HopperFrame& frame) {
             if (column > 0) ++right;
         }
     }
-    return left + right == 0 ? 0 : std::abs(left - right) / (left + right);
+    return imbalance(left, right);
+}
+
+double slant_imbalance(const scene::HopperFrame& frame) {
+    const auto grains = [&](std::uint8_t orientation) {
+        return static_cast<double>(std::ranges::count(frame.state, orientation));
+    };
+    return imbalance(grains(1), grains(3));
 }
 
 void append_curve(Results& results, const std::vector<PatternShape>& shapes, const char* name,
@@ -83,7 +95,8 @@ void HopperPattern::add(const scene::HopperFrame& frame) {
     if (frame.last) {
         Outcome outcome{.shape = pattern_shape(box),
                         .vertical_fraction = box.vertical_fraction(),
-                        .asymmetry = emptied_asymmetry(frame)};
+                        .emptied_imbalance = emptied_imbalance(frame),
+                        .slant_imbalance = slant_imbalance(frame)};
         outcomes_.push_back(std::move(outcome));
     }
     if (on_schedule) {
@@ -172,7 +185,7 @@ void HopperPattern::append_state(Results& results) const {
     if (scene_.angles.front() > widest_meaningful_angle) return;
     std::vector<double> asymmetry, neighbour, x, y;
     for (const Outcome& outcome : outcomes_)
-        asymmetry.push_back(outcome.asymmetry);
+        asymmetry.push_back(std::abs(outcome.emptied_imbalance));
     for (const PatternShape& shape : shapes()) {
         neighbour.push_back(shape.neighbour);
         x.push_back(shape.length_x);
@@ -197,12 +210,16 @@ void HopperPattern::append_state(Results& results) const {
 
 void HopperPattern::finish(Results& results) {
     if (outcomes_.empty() || outcomes_.size() < static_cast<std::size_t>(scene_.replicas)) return;
-    std::vector<double> asymmetry, vertical;
+    std::vector<double> asymmetry, emptied, slanted, vertical;
     for (const Outcome& outcome : outcomes_) {
-        asymmetry.push_back(outcome.asymmetry);
+        asymmetry.push_back(std::abs(outcome.emptied_imbalance));
+        emptied.push_back(outcome.emptied_imbalance);
+        slanted.push_back(outcome.slant_imbalance);
         if (outcome.vertical_fraction) vertical.push_back(*outcome.vertical_fraction);
     }
     append_replica_mean(results, "asymmetry", asymmetry);
+    append_replica_mean(results, "mirror_imbalance_sites", emptied);
+    append_replica_mean(results, "mirror_imbalance_grains", slanted);
     if (vertical.size() == outcomes_.size()) {
         append_replica_mean(results, "vertical_fraction", vertical);
     }

@@ -32,7 +32,11 @@ struct HopperPatternOptions {
 ///   of the two others (pattern_velocity_slanted); rising_share, _vertical and _slanted: share of
 ///   replicas with an upward velocity. Only for a pattern: g1 and the highest space-time
 ///   correlation at least 0.1 in every replica;
-/// - asymmetry: |left - right|/(left + right) of the emptied sites of the whole hopper.
+/// - asymmetry: |left - right|/(left + right) of the emptied sites of the whole hopper;
+/// - mirror_imbalance_sites: (left - right)/(left + right) of them, and mirror_imbalance_grains:
+///   (n_1 - n_3)/(n_1 + n_3) of the grains slanted to either side in the whole hopper (0 without
+///   any). The rules have no left and right (orientations 1 and 3 are mirror images): the mean over
+///   replicas is 0, however lopsided a single one is.
 /// Series "orientation-correlation-x" and "-y": separation, G.
 /// Finding "state" up to 120 degrees (beyond, HopperStagnation's "no meaning"): "asymmetric" if the
 /// asymmetry exceeds 0.2; "structureless" if g1 < 0.1; "bands" if the pattern is longer along x
@@ -54,7 +58,7 @@ class HopperPattern final : public HopperEstimator {
     struct Outcome {
         std::optional<PatternShape> shape;  ///< nothing for a uniform box
         std::optional<double> vertical_fraction;
-        double asymmetry = 0;
+        double emptied_imbalance = 0, slant_imbalance = 0;
         PatternShift shift;
     };
     /// Those of replicas that are not uniform.

@@ -1,5 +1,6 @@
 #include "cases/measure/time_mean.hpp"
 
+#include "cases/measure/autocorrelation.hpp"
 #include "cases/measure/mean_with_error.hpp"
 
 #include <algorithm>
@@ -7,6 +8,19 @@
 #include <vector>
 
 namespace crossgrain::measure {
+namespace {
+
+std::optional<BlockedMean> mean_of_series(std::span<const double> series) {
+    auto mean = blocked_mean(series);
+    const auto correlated = autocorrelated_mean(series);
+    if (mean && correlated && correlated->standard_error > mean->standard_error) {
+        mean->standard_error = correlated->standard_error;
+        mean->blocks = std::min(mean->blocks, static_cast<std::size_t>(correlated->independent));
+    }
+    return mean;
+}
+
+}  // namespace
 
 std::optional<BlockedMean> time_mean(std::span<const double> times, std::span<const double> values,
                                      double skip, std::optional<double> period) {
@@ -14,7 +28,7 @@ std::optional<BlockedMean> time_mean(std::span<const double> times, std::span<co
         static_cast<std::size_t>(std::ranges::lower_bound(times, skip) - times.begin());
     times = times.subspan(first);
     values = values.subspan(first);
-    if (!period || times.size() < 2) return blocked_mean(values);
+    if (!period || times.size() < 2) return mean_of_series(values);
 
     const double interval = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
     // Sample times are rounded: the first one of a period may come a little early.
@@ -29,7 +43,7 @@ std::optional<BlockedMean> time_mean(std::span<const double> times, std::span<co
         means.push_back(mean_with_error(values.subspan(begin, i - begin)).value);
         begin = i;
     }
-    return blocked_mean(means);
+    return mean_of_series(means);
 }
 
 }  // namespace crossgrain::measure

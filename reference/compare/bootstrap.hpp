@@ -1,48 +1,46 @@
-// Errors of what is fitted to points, by resampling the points (Efron & Tibshirani, An Introduction
-// to the Bootstrap (1993), chapters 9 and 13), and the spread of a fit over its windows.
+// Errors of what is fitted to the points of a sweep: statistical, by resampling the replicas behind
+// each point (Efron & Tibshirani, An Introduction to the Bootstrap (1993), chapters 6 and 8.3), and
+// systematic, by the spread of the fit over its windows.
+//
+// Error propagation is linear in the points' errors; an exponent with a free cut-off or a ratio of
+// two fitted numbers is not. Resampling does without that and without normal errors, but sees only
+// what replicas see: not how far the points are off the law (sweep_fit.hpp does).
 #pragma once
+
+#include "reference/compare/sweep_fit.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace crossgrain::compare {
 
-struct FittedPoint {
-    double x = 0, y = 0;
+/// A point of a sweep with what each of its replicas measured.
+struct ReplicatedPoint {
+    double x = 0;
+    std::vector<double> y;  ///< shape (replicas)
 };
 
-/// What is fitted, e.g. an exponent; not a number where the points do not allow it.
-using Fit = std::function<double(std::span<const FittedPoint>)>;
+/// What is fitted, e.g. an exponent; nothing where the points do not allow it.
+using FittedValue = std::function<std::optional<double>(std::span<const SweepPoint>)>;
 
-struct BootstrapEstimate {
-    double value = 0;           ///< of the points themselves
-    double standard_error = 0;  ///< standard deviation over the resamples
-    double low = 0, high = 0;   ///< 95 %: value -+ t_{0.975, points - 2} standard errors
-    std::size_t resamples = 0;  ///< with a finite fit
-};
+/// Standard deviation of the fit over `resamples` sweeps whose points are means of as many replicas
+/// drawn with replacement; each deviation from a point's mean is first enlarged by
+/// sqrt(n/(n - 1)), which resampling n of n misses. The same seed gives the same error. Nothing if
+/// a point has fewer than four replicas or fewer than 90 % of the resamples have a fit.
+/// Throws std::invalid_argument for fewer than 100 resamples.
+[[nodiscard]] std::optional<double> bootstrap_error(std::span<const ReplicatedPoint> points,
+                                                    const FittedValue& fit,
+                                                    std::size_t resamples = 400,
+                                                    std::uint64_t seed = 1);
 
-/// Draws points with replacement `resamples` times; the same seed gives the same error. Pairs, not
-/// residuals, are drawn: the scatter may depend on x. The variance is multiplied by
-/// points/(points - 2), which resampling misses in a fit of two parameters.
-/// Throws std::invalid_argument for fewer than four points, fewer than 100 resamples, a fit that is
-/// not finite for the points themselves, or for more than half of the resamples.
-[[nodiscard]] BootstrapEstimate bootstrap(std::span<const FittedPoint> points, const Fit& fit,
-                                          std::size_t resamples = 1000, std::uint64_t seed = 1);
-
-/// Exponent a of y = b x^a, by a straight line through the logarithms. Not a number for fewer than
-/// two different x; points with x <= 0 or y <= 0 are left out.
-[[nodiscard]] double power_law_exponent(std::span<const FittedPoint> points);
-
-struct FitWindow {
-    double from = 0, to = 0;  ///< of x, both included
-};
-
-/// Half the range of the fits over the windows: how much the choice of the window decides.
-/// Windows in which the fit is not finite are left out. Throws std::invalid_argument if fewer than
-/// two remain.
-[[nodiscard]] double systematic_over_windows(std::span<const FittedPoint> points, const Fit& fit,
-                                             std::span<const FitWindow> windows);
+/// Half the range of the fit over three windows: all points, all but the first, all but the last
+/// (ascending in x). How much the choice of the window decides. Nothing for fewer than four points
+/// or if one of the windows has no fit.
+[[nodiscard]] std::optional<double> systematic_over_windows(std::span<const SweepPoint> points,
+                                                            const FittedValue& fit);
 
 }  // namespace crossgrain::compare

@@ -7,6 +7,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 using namespace crossgrain;
@@ -110,6 +112,38 @@ BOOST_AUTO_TEST_CASE(a_trend_without_its_reference_or_a_run_is_never_green) {
     records[1].results.measurements.clear();
     BOOST_CHECK(evaluation_of(case_with({check}), records).verdicts.at(0).outcome ==
                 Outcome::undecided);
+}
+
+// Four replicas at each of four points of y = x^2, all off by the same share, up and down: the
+// points lie on the law, so that the residuals know of no error, but the replicas do.
+BOOST_AUTO_TEST_CASE(a_fit_has_the_error_of_its_replicas_and_the_spread_of_its_windows) {
+    auto the_case = case_with({});
+    the_case.fits = {
+        {.name = "power", .law = catalog::FitLaw::exponent, .observable = "slope", .along = "x"}};
+    std::vector<store::RunRecord> records;
+    double x = 1;
+    for (const auto& variant : the_case.variants) {
+        std::int64_t replica = 0;
+        for (const double off : {-0.03, -0.01, 0.01, 0.03}) {
+            auto record = run_of(variant.name, x * x * (1 + off), 0);
+            record.replica = replica++;
+            record.results.measurements[0].settings = {{"x", x}};
+            records.push_back(std::move(record));
+        }
+        x *= 2;
+    }
+    const auto measured = evaluation_of(the_case, std::move(records)).measurements;
+    const auto fit = std::ranges::find_if(
+        measured, [](const auto& m) { return m.combined.measurement.observable == "power"; });
+    BOOST_TEST_REQUIRE((fit != measured.end()));
+    const auto& m = fit->combined.measurement;
+    BOOST_TEST(m.value == 2.0, boost::test_tools::tolerance(1e-9));
+    // s = .0258 of a replica, .0129 of a point, over ln 2 sqrt(5): four points in steps of ln 2.
+    BOOST_TEST(m.settings.at("error_of_bootstrap") == 0.0129 / std::log(2.0) / std::sqrt(5.0),
+               boost::test_tools::tolerance(0.15));
+    BOOST_TEST(m.standard_error >= m.settings.at("error_of_fit"));
+    BOOST_TEST(m.standard_error >= m.settings.at("error_of_bootstrap"));
+    BOOST_TEST(m.systematic < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(a_published_trend_is_no_number_to_compare_with) {

@@ -110,19 +110,20 @@ BOOST_AUTO_TEST_CASE(the_shipped_catalogue_is_large_enough) {
 
 // One defect of every way that needs no foreign program.
 BOOST_AUTO_TEST_CASE(planted_defects_are_caught_and_blamed) {
-    const auto report = run(
-        only({"restitution as its square", "reduced mass m/2 at walls", "a grain vanishes",
-              "orientations not handed on", "gravity on wall sites",
-              "rest particles lost in a collision", "sign of a published value",
-              "reference file empty", "published value under another name", "wrong bin width"}));
-    BOOST_TEST(report.defects.size() == 10U);
+    const auto report = run(only(
+        {"restitution as its square", "reduced mass m/2 at walls", "a grain vanishes",
+         "orientations not handed on", "gravity on wall sites",
+         "rest particles lost in a collision", "sign of a published value", "reference file empty",
+         "published value under another name", "wrong bin width", "inertia as printed",
+         "gravity 5 % off", "dissipation 20 % off", "every second bin one frame late"}));
+    BOOST_TEST(report.defects.size() == 14U);
     for (const auto& d : report.defects) {
         BOOST_TEST(d.caught, d.name);
         BOOST_TEST(d.culprit_right, d.name + ": " + d.culprit + ", " + d.by);
     }
     BOOST_TEST(report.passed());
     const auto document = selftest_document(report);
-    BOOST_TEST(document["defects"].size() == 10U);
+    BOOST_TEST(document["defects"].size() == 14U);
     BOOST_TEST(document["null"]["comparisons"] == 0);
 }
 
@@ -141,7 +142,7 @@ BOOST_AUTO_TEST_CASE(null_comparisons_count_what_they_find) {
                                .against = "native-hopper",
                                .rounds = 3});
     const auto clean = run(catalogue);
-    BOOST_TEST(clean.null.comparisons == 12U);
+    BOOST_TEST(clean.null.comparisons == 24U);
     BOOST_TEST(clean.null.false_alarms == 0U);
     // Not null at all: the other one's sweep goes from the top. Each round must raise an alarm.
     catalogue.nulls.front().edit = TextEdit{"\"standard\"", "\"top-to-bottom\""};

@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(the_slope_of_a_parabola_at_the_mean_density) {
     // <J> = .9 - variance/2 = .9 - .15^2/2; J over rho with it.
     BOOST_TEST(get(results, "flux").value == 0.9 - .15 * .15 / 2, tt::tolerance(2e-3));
     BOOST_TEST(get(results, "mean_speed").value == 0.9 - .15 * .15 / 2, tt::tolerance(2e-3));
+    BOOST_TEST(get(results, "particles_per_site").value == 1.0, tt::tolerance(1e-3));
     const auto rho = column(results, "flux", "rho"), j = column(results, "flux", "J");
     const auto share = column(results, "flux", "share"), err = column(results, "flux", "err");
     for (std::size_t k = 0; k < rho.size(); ++k) {

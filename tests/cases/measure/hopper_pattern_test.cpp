@@ -166,7 +166,24 @@ BOOST_AUTO_TEST_CASE(a_crater_on_one_side_is_asymmetric) {
     // 40 columns on one side, 100 on the other.
     const auto tilted = run(crater(100));
     BOOST_TEST(get(tilted, "asymmetry").value == 60.0 / 140, tt::tolerance(0.02));
+    BOOST_TEST(get(tilted, "mirror_imbalance_sites").value == -60.0 / 140, tt::tolerance(0.02));
     BOOST_TEST(state_found(tilted) == "asymmetric");
+}
+
+BOOST_AUTO_TEST_CASE(sides_are_told_apart_and_even_out_over_mirror_images) {
+    // Three of four slanted grains of one kind, in replicas 0 and 2 of the other.
+    const auto lopsided = [](std::uint8_t most, auto c, auto k) {
+        const auto rest = static_cast<std::uint8_t>(4 - most);
+        return (c + 2 * k) % 4 == 0 ? rest : most;
+    };
+    const auto one =
+        run([&](auto c, auto k, auto, int) { return lopsided(std::uint8_t{1}, c, k); });
+    BOOST_TEST(get(one, "mirror_imbalance_grains").value > 0.3);
+    const auto both = run([&](auto c, auto k, auto, int r) {
+        return lopsided(r % 2 == 0 ? std::uint8_t{1} : std::uint8_t{3}, c, k);
+    });
+    BOOST_TEST(std::abs(get(both, "mirror_imbalance_grains").value) < 1e-12);
+    BOOST_TEST(get(both, "mirror_imbalance_grains").standard_error > 0.1);
 }
 
 BOOST_AUTO_TEST_CASE(beyond_120_degrees_the_state_is_left_to_others) {

@@ -16,7 +16,7 @@
 #include <optional>
 #include <span>
 
-namespace crossgrain::compare {
+namespace crossgrain::measure {
 
 struct AutocorrelatedMean {
     double value = 0;
@@ -31,4 +31,4 @@ struct AutocorrelatedMean {
 /// for its correlation time. A constant series has standard error 0.
 [[nodiscard]] std::optional<AutocorrelatedMean> autocorrelated_mean(std::span<const double> series);
 
-}  // namespace crossgrain::compare
+}  // namespace crossgrain::measure

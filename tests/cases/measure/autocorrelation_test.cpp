@@ -1,5 +1,5 @@
 // Autoregressive series of known correlation time: tau = (1 + phi)/(2 (1 - phi)).
-#include "reference/compare/autocorrelation.hpp"
+#include "cases/measure/autocorrelation.hpp"
 
 #include "reference/compare/student.hpp"
 
@@ -10,7 +10,8 @@
 #include <vector>
 
 namespace tt = boost::test_tools;
-using namespace crossgrain::compare;
+using namespace crossgrain::measure;
+using crossgrain::compare::student_quantile;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "reference/compare/autocorrelation.hpp"
+#include "cases/measure/autocorrelation.hpp"
 
 #include "cases/measure/mean_with_error.hpp"
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace crossgrain::compare {
+namespace crossgrain::measure {
 namespace {
 
 constexpr std::size_t fewest_samples = 32;
@@ -39,7 +39,7 @@ double window_criterion(double decay, double window, double n) {
 std::optional<AutocorrelatedMean> autocorrelated_mean(std::span<const double> series) {
     if (series.size() < fewest_samples) return std::nullopt;
     const auto n = static_cast<double>(series.size());
-    const double mean = measure::mean_with_error(series).value;
+    const double mean = mean_with_error(series).value;
     std::vector<double> deviations(series.begin(), series.end());
     for (double& d : deviations)
         d -= mean;
@@ -64,4 +64,4 @@ std::optional<AutocorrelatedMean> autocorrelated_mean(std::span<const double> se
     return std::nullopt;
 }
 
-}  // namespace crossgrain::compare
+}  // namespace crossgrain::measure
