@@ -18,23 +18,22 @@ using compare::Combined;
 
 struct Reference {
     double value = 0, standard_error = 0;
-    std::string unit;
+    std::string code;  ///< whose result it is; empty for a closed form
 };
 
 constexpr std::string_view converged = "converged:";
 
-/// The best result of a native code: of the first that has the variant.
+/// The result of the first code that has the variant.
 std::optional<Reference> converged_reference(const CaseRuns& runs, const ChartedError& charted) {
     const std::string wanted = charted.against.substr(converged.size());
     const auto& variants = runs.the_case().variants;
     for (const auto& code : runs.codes()) {
-        if (!code.starts_with("native-")) continue;
         for (std::size_t v = 0; v < variants.size(); ++v) {
             if (variants[v].name != wanted || runs.absence(code, v)) continue;
             const auto best = runs.combined(code, v, 0, charted.observable);
             if (!best) continue;
             const auto& m = best->measurement;
-            return Reference{m.value, m.standard_error, m.unit};
+            return Reference{m.value, m.standard_error, code};
         }
     }
     return std::nullopt;
@@ -45,7 +44,7 @@ std::optional<Reference> reference_of(const CaseRuns& runs, const ChartedError& 
     if (charted.against.starts_with(converged)) return converged_reference(runs, charted);
     const auto exact = exact_value(charted.against, runs.the_case().scene(variant, 0, 1));
     if (!exact) return std::nullopt;
-    return Reference{.value = *exact, .standard_error = 0, .unit = {}};
+    return Reference{.value = *exact, .standard_error = 0, .code = {}};
 }
 
 /// Least cost of a run in the variant.
@@ -142,7 +141,8 @@ class ChartMaker {
                    ChartedObservable& result) {
         if (item_.runs.absence(code, v)) return;
         const auto& name = item_.the_case->variants[v].name;
-        if (result.against == std::string(converged) + name && code.starts_with("native-")) return;
+        // Its distance from itself says nothing.
+        if (code == reference.code && result.against == std::string(converged) + name) return;
         const auto found = item_.runs.combined(code, v, 0, result.observable);
         if (!found) {
             chart_.failures.push_back({code, name, "not_measured",

@@ -1,5 +1,6 @@
 #include "app/documents.hpp"
 
+#include "app/attribution.hpp"
 #include "app/catalogue.hpp"
 #include "app/compare_summary.hpp"
 #include "app/models_table.hpp"
@@ -332,6 +333,7 @@ json report_document(const SessionReport& report, const std::vector<HistorySerie
             {"cases", std::move(cases)},
             {"certificate", certificate_document(report)},
             {"phenomena", phenomena_document(report.cases)},
+            {"attribution", attribution_document(report)},
             {"history", history_document(history)}};
 }
 

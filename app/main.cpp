@@ -154,6 +154,8 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
         add("advise", "the cheapest way to an observable within a tolerance, from the chart",
             [](Arguments& x, auto) { return app::advise_case(x.settings, x.advise); });
     advise->add_option("CASE", a.settings.cases, "the case")->required()->expected(1);
+    advise->add_option("--code", a.settings.codes, "only this code (may be repeated)")
+        ->allow_extra_args(false);
     advise->add_option("--observable", a.advise.observable, "its name, or the beginning of several")
         ->required();
     advise->add_option("--tolerance", a.advise.tolerance, "largest error, in the observable's unit")

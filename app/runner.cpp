@@ -77,7 +77,7 @@ class Runner {
     RunSummary carry_out(bool compute);
 
   private:
-    void take_from_store();
+    void take_from_store(bool failures);
     void compute_missing();
     void work(Progress& progress);
     void execute(PlannedRun& run, Progress& progress);
@@ -96,7 +96,8 @@ class Runner {
 };
 
 RunSummary Runner::carry_out(bool compute) {
-    if (!settings_.fresh) take_from_store();
+    // What failed is tried again, unless nothing is.
+    if (!settings_.fresh) take_from_store(!compute);
     if (compute) {
         compute_missing();
     } else {
@@ -110,10 +111,12 @@ RunSummary Runner::carry_out(bool compute) {
     return std::move(summary_);
 }
 
-void Runner::take_from_store() {
+void Runner::take_from_store(bool failures) {
     for (auto& run : runs_) {
         if (run.record.status != "planned") continue;
-        if (auto stored = store_.find(run.record.key)) {
+        auto stored = store_.find(run.record.key);
+        if (!stored && failures) stored = store_.find_failed(run.record.key);
+        if (stored) {
             // Labels may have changed since; the numbers cannot have.
             stored->case_name = run.record.case_name;
             stored->variant = run.record.variant;

@@ -32,9 +32,20 @@ struct StabilityPoint {
     std::string detail;  ///< e.g. "energy residual -12 %"
 };
 
+/// Where theory draws the line across a map: the largest value of `parameter` that is stable, for
+/// the points that are `at` and `in` the same (of those keys that are given).
+struct TheoryLine {
+    std::map<std::string, double> at;
+    std::map<std::string, std::string> in;
+    std::string parameter;  ///< e.g. "dt"
+    double limit = 0;
+    std::string source;  ///< e.g. "analytic:lattice_time_step_limit"
+};
+
 struct StabilityReport {
     std::string case_name;
     std::vector<StabilityThreshold> thresholds;
+    std::vector<TheoryLine> theory;
     std::vector<StabilityPoint> points;
 };
 

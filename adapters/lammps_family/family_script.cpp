@@ -32,7 +32,7 @@ void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocitie
     line("{}", ghost_velocities);
     // A few grains in the open may fly far apart: bins over all that space would fill the memory.
     constexpr std::size_t few = 64;
-    line("neighbor {:.17g} {}", scene_.grains.diameter / 4,
+    line("neighbor {:.17g} {}", scene_.skin.value_or(scene_.grains.diameter / 4),
          scene_.grain_count() <= few ? "nsq" : "bin");
     line("neigh_modify delay 0 every 1 check yes");
 }

@@ -95,6 +95,9 @@ std::optional<std::string> friction_cannot_express(const scene::Scene& scene) {
         return fmt::format("{} has no integrator \"{}\"; \"verlet-half-step\" would be expressible",
                            where, to_string(scene.integrator));
     }
+    if (scene.skin) {
+        return fmt::format("{} has its own skin; leaving it out would be expressible", where);
+    }
     if (scene.contacts != scene::Contacts::neighbour_list) {
         return fmt::format("{} has no fixed neighbours; contacts = \"neighbour-list\" would be "
                            "expressible",

@@ -85,7 +85,8 @@ dem::Parameters parameters(const scene::Scene& scene) {
                         : dem::Contacts::lattice_neighbours,
         .precision = scene.precision == scene::Precision::double_precision
                          ? dem::Precision::double_precision
-                         : dem::Precision::mixed};
+                         : dem::Precision::mixed,
+        .skin = scene.skin.value_or(0)};
     if (scene.plates.bottom) p.bottom = moving_plate(*scene.plates.bottom);
     if (const auto* plate = std::get_if<scene::PrescribedPlate>(&scene.plates.lid)) {
         p.lid = moving_plate(*plate);
@@ -181,6 +182,10 @@ std::optional<std::string> NativeDemCode::cannot_express(const scene::Scene& sce
     for (const auto& period : {scene.periodic_x, scene.periodic_y}) {
         if (period && *period < 3 * scene.grains.diameter) {
             return "a period below 3 diameters: a grain would meet two images of another";
+        }
+        if (period && *period < 3 * (scene.grains.diameter + scene.skin.value_or(0))) {
+            return "a period below 3 (d + skin): a grain would be listed with two images of "
+                   "another; a narrower skin would be expressible";
         }
     }
     if (scene.precision == scene::Precision::mixed) {

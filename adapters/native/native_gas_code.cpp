@@ -7,6 +7,7 @@
 #include "native/lga/ensemble.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -21,7 +22,8 @@ namespace {
 std::unique_ptr<lga::Ensemble> ensemble(const scene::LatticeGas& scene) {
     const auto gas = gas_model(scene);
     if (scene.engine == scene::GasEngine::table) return lga::make_table_ensemble(gas);
-    return lga::make_sliced_ensemble(gas, lga::best_word_width(gas.replicas));
+    return lga::make_sliced_ensemble(gas,
+                                     scene.word_bits.value_or(lga::best_word_width(gas.replicas)));
 }
 
 /// Lines of frames.csv, if it is to be kept.
@@ -156,6 +158,14 @@ std::optional<std::string> NativeGasCode::cannot_express(const scene::LatticeGas
     const auto& s = scene.sampling;
     if (s.replicas > lga::max_replicas) {
         return fmt::format("more than {} replicas in one run", lga::max_replicas);
+    }
+    if (scene.word_bits && scene.engine == scene::GasEngine::table) {
+        return "the table engine has no words; engine = \"bit-sliced\" would be expressible";
+    }
+    const auto widths = lga::word_widths();
+    if (scene.word_bits && std::ranges::find(widths, *scene.word_bits) == widths.end()) {
+        return fmt::format("words of {} bits; on this machine {} bits would be expressible",
+                           *scene.word_bits, fmt::join(widths, ", "));
     }
     // Frames hold counts in 16 bits; seven particles per site, four half sites per step of downward
     // momentum at most.

@@ -71,9 +71,10 @@ struct Check {
 /// What the error of a charted observable is measured from.
 struct ChartedError {
     std::string observable;
-    std::string against;  ///< "analytic:..." or "converged:<variant of a native code>"
-    double margin = 0;    ///< beyond it a result is inaccurate, > 0
-    std::string reason;   ///< why this margin
+    std::string
+        against;         ///< "analytic:..." or "converged:<variant>", in the first code that has it
+    double margin = 0;   ///< beyond it a result is inaccurate, > 0
+    std::string reason;  ///< why this margin
     int line = 0;
 };
 
@@ -99,6 +100,9 @@ struct Variant {
     std::vector<std::string> not_expressible_in;  ///< codes of which the catalogue knows it
     /// Keys of the sweep with this variant's values, in the sweep's order; empty without a sweep.
     std::vector<std::pair<std::string, std::string>> parameters;
+    /// Values of the sweep's keys at which alone this variant is made; empty: at all points.
+    std::map<std::string, std::vector<std::string>> only;
+    std::size_t point = 0, written = 0;  ///< of the sweep and of the file's tables it is made from
 
     [[nodiscard]] std::optional<std::string> parameter(const std::string& key) const;
 };

@@ -28,9 +28,8 @@ struct Case::Source {
     std::string file;
     std::string readings;
     Sweep sweep;
-    std::size_t written = 1;  ///< number of [[variant]] tables, 1 without any
 
-    [[nodiscard]] TomlTable scene_table(std::size_t variant) const;
+    [[nodiscard]] TomlTable scene_table(const Variant& variant) const;
     /// Values of a sweep have lost their place in the file: it is put back.
     [[nodiscard]] CaseError placed(const CaseError& error) const;
 };
@@ -139,7 +138,7 @@ void check_every_scene(const Case& the_case) {
 
 }  // namespace
 
-TomlTable Case::Source::scene_table(std::size_t variant) const {
+TomlTable Case::Source::scene_table(const Variant& variant) const {
     std::vector<const toml::table*> layers;
     const auto add = [&](const toml::table* owner) {
         if (owner == nullptr) return;
@@ -147,9 +146,9 @@ TomlTable Case::Source::scene_table(std::size_t variant) const {
     };
     const bool own_variants = suite != nullptr && suite->contains("variant");
     if (const auto* entries = (own_variants ? *suite : root).get("variant")) {
-        if (const auto* array = entries->as_array()) add((*array)[variant % written].as_table());
+        if (const auto* array = entries->as_array()) add((*array)[variant.written].as_table());
     }
-    layers.push_back(&sweep.points[variant / written].scene);
+    layers.push_back(&sweep.points[variant.point].scene);
     add(suite);
     add(&root);
     return {file, "scene", std::move(layers)};
@@ -176,7 +175,7 @@ scene::AnyScene Case::scene(std::size_t variant, std::size_t rung, std::uint64_t
     std::string full_name = name;
     if (!variants[variant].name.empty()) full_name += "/" + variants[variant].name;
     if (variants[variant].rungs > 1) full_name += fmt::format("/{}", rung + 1);
-    const TomlTable table = parsed->scene_table(variant);
+    const TomlTable table = parsed->scene_table(variants[variant]);
     const scene::SceneSelection selection{
         .name = full_name, .rung = rung, .seed = seed, .readings = parsed->readings};
     try {
@@ -221,9 +220,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.time_limit = t.number("time_limit", Range::positive());
     if (t.has("model")) result.model = models[t.choice("model", models)];
     result.failure_map = t.optional_text("failure_map").value_or("");
-    const auto written = read_written_variants(t);
-    source->written = written.size();
-    result.variants = cross(source->sweep, written);
+    result.variants = cross(file, source->sweep, read_written_variants(t));
     result.replicas = read_replicas(t.table("replicas"));
     const TomlTable more = t.table("replicas_in");
     for (const auto& pattern : more.keys())
@@ -242,7 +239,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     for (std::size_t v = 0; v < result.variants.size(); ++v) {
         if (result.model != models[0]) break;  // only grains have ladders of time steps
         try {
-            result.variants[v].rungs = scene::ladder_size(source->scene_table(v));
+            result.variants[v].rungs = scene::ladder_size(source->scene_table(result.variants[v]));
         } catch (const CaseError& error) {
             throw source->placed(error);
         }

@@ -26,6 +26,40 @@ void require_variant(const Case& the_case, int line, const char* key, const std:
                      .expected = fmt::format("one of {}", fmt::join(names, ", "))});
 }
 
+std::map<std::string, std::vector<std::string>> read_only(const TomlTable& entry) {
+    std::map<std::string, std::vector<std::string>> only;
+    const TomlTable t = entry.table("only");
+    for (const auto& key : t.keys())
+        only[key] = t.texts(key);
+    return only;
+}
+
+/// Every value that the variant is limited to must be one of the sweep's.
+void require_points(const std::string& file, const Variant& variant, const Sweep& sweep) {
+    for (const auto& [key, values] : variant.only) {
+        for (const auto& value : values) {
+            const bool there = std::ranges::any_of(sweep.points, [&](const SweepPoint& point) {
+                return std::ranges::find(point.parameters, std::pair(key, value)) !=
+                       point.parameters.end();
+            });
+            if (there) continue;
+            throw CaseError({.file = file,
+                             .key = "variant.only." + key,
+                             .problem = fmt::format("of '{}' is not in the sweep", variant.name),
+                             .got = fmt::format("\"{}\"", value),
+                             .expected = "a key of [sweep] with some of its values, as texts"});
+        }
+    }
+}
+
+bool is_made_at(const Variant& variant, const SweepPoint& point) {
+    return std::ranges::all_of(point.parameters, [&](const auto& parameter) {
+        const auto wanted = variant.only.find(parameter.first);
+        return wanted == variant.only.end() ||
+               std::ranges::find(wanted->second, parameter.second) != wanted->second.end();
+    });
+}
+
 }  // namespace
 
 std::vector<Variant> read_written_variants(const TomlTable& t) {
@@ -36,6 +70,7 @@ std::vector<Variant> read_written_variants(const TomlTable& t) {
             variant.not_expressible_in = entry.texts("not_expressible_in");
         }
         variant.drops = entry.optional_text("drops").value_or("");
+        variant.only = read_only(entry);
         (void)entry.table("scene");  // read by Case::scene
         entry.reject_unknown_keys();
         const bool repeated =
@@ -51,10 +86,18 @@ std::vector<Variant> read_written_variants(const TomlTable& t) {
     return variants;
 }
 
-std::vector<Variant> cross(const Sweep& sweep, const std::vector<Variant>& written) {
+std::vector<Variant> cross(const std::string& file, const Sweep& sweep,
+                           const std::vector<Variant>& written) {
     std::vector<Variant> variants;
-    for (const SweepPoint& point : sweep.points) {
-        for (Variant variant : written) {
+    for (const Variant& variant : written)
+        require_points(file, variant, sweep);
+    for (std::size_t p = 0; p < sweep.points.size(); ++p) {
+        const SweepPoint& point = sweep.points[p];
+        for (std::size_t w = 0; w < written.size(); ++w) {
+            if (!is_made_at(written[w], point)) continue;
+            Variant variant = written[w];
+            variant.point = p;
+            variant.written = w;
             const bool both = !point.name.empty() && !variant.name.empty();
             variant.name = point.name + (both ? "/" : "") + variant.name;
             variant.parameters = point.parameters;

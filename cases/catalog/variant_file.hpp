@@ -12,8 +12,10 @@ namespace crossgrain::catalog {
 /// The [[variant]] tables; one without a name if there are none. Throws CaseError.
 [[nodiscard]] std::vector<Variant> read_written_variants(const toml_input::TomlTable& t);
 
-/// Every point of the sweep in every written variant, the sweep changing slower.
-[[nodiscard]] std::vector<Variant> cross(const Sweep& sweep, const std::vector<Variant>& written);
+/// Every point of the sweep in every written variant that is not limited to others, the sweep
+/// changing slower. Throws CaseError for a limit that is no point of the sweep.
+[[nodiscard]] std::vector<Variant> cross(const std::string& file, const Sweep& sweep,
+                                         const std::vector<Variant>& written);
 
 /// A check that names a variant which is not there would never be asked: throws CaseError. (The
 /// quick suite may do without some of the variants that the case has.)

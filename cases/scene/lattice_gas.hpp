@@ -9,6 +9,7 @@
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,7 @@ struct LatticeGas {
     double gravity = 0;      ///< g in [0, 1]
     double roughness = 0;    ///< b in [0, 1]
     GasEngine engine = GasEngine::bit_sliced;
+    std::optional<int> word_bits;  ///< of the bit-sliced engine; absent: the best for the replicas
     OnSaturation on_saturation = OnSaturation::fail;
     std::uint64_t seed = 0;
 };

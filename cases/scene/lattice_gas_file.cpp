@@ -98,6 +98,7 @@ LatticeGas read_lattice_gas(const TomlTable& t, const SceneSelection& selection)
     gas.gravity = t.number("gravity", fraction());
     gas.roughness = t.number("roughness", fraction());
     if (t.has("engine")) gas.engine = static_cast<GasEngine>(t.choice("engine", engine_words));
+    if (t.has("word_bits")) gas.word_bits = static_cast<int>(t.integer("word_bits", 1));
     if (t.has("on_saturation")) {
         gas.on_saturation = static_cast<OnSaturation>(t.choice("on_saturation", saturation_words));
     }

@@ -32,6 +32,7 @@ json parameters_json(const LatticeGas& gas) {
     json result{{"ends", to_string(gas.ends)},     {"dissipation", gas.dissipation},
                 {"gravity", gas.gravity},          {"roughness", gas.roughness},
                 {"engine", to_string(gas.engine)}, {"on_saturation", to_string(gas.on_saturation)}};
+    if (gas.word_bits) result["word_bits"] = *gas.word_bits;
     if (gas.ends == PipeEnds::periodic) {
         result["density"] = gas.density;
     } else {

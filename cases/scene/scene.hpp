@@ -150,6 +150,9 @@ struct Scene {
     Integrator integrator = Integrator::verlet_half_step;
     Contacts contacts = Contacts::neighbour_list;
     Precision precision = Precision::double_precision;
+    /// Pairs nearer than d + skin are in the neighbour list (length), > 0; absent: as each code
+    /// does best. It decides what a run costs, not what comes out.
+    std::optional<double> skin;
     double dt = 0;                 ///< time step, > 0
     std::int64_t steps = 0;        ///< multiple of frame_every, > 0
     std::int64_t frame_every = 0;  ///< frames at 0, frame_every, ..., steps

@@ -227,6 +227,7 @@ Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
     if (t.has("precision")) {
         scene.precision = static_cast<Precision>(t.choice("precision", precision_words));
     }
+    scene.skin = t.optional_number("skin", Range::positive());
     check_consistency(t, scene);
     const double t_col = contact_time(scene);
     scene.dt = time_steps(t, t_col).at(selection.rung);

@@ -44,6 +44,7 @@ void add_unusual_choices(const Scene& scene, json& result) {
     if (scene.precision != Precision::double_precision) {
         result["precision"] = to_string(scene.precision);
     }
+    if (scene.skin) result["skin"] = *scene.skin;
     if (scene.drag != 0) result["drag"] = scene.drag;
     if (scene.backing) {
         result["backing"] = {{"stiffness", scene.backing->stiffness},

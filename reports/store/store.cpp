@@ -138,11 +138,20 @@ Store::Store(const std::filesystem::path& directory) : directory_(directory) {
 Store::~Store() = default;
 
 std::optional<RunRecord> Store::find(const std::string& key) const {
+    return newest(key, "ok");
+}
+
+std::optional<RunRecord> Store::find_failed(const std::string& key) const {
+    return newest(key, "run_failed");
+}
+
+std::optional<RunRecord> Store::newest(const std::string& key, const std::string& status) const {
     return guarded(directory_, [&]() -> std::optional<RunRecord> {
         SQLite::Statement query(
             database_->sqlite,
-            "SELECT * FROM run WHERE key = ? AND status = 'ok' ORDER BY id DESC LIMIT 1");
+            "SELECT * FROM run WHERE key = ? AND status = ? ORDER BY id DESC LIMIT 1");
         query.bind(1, key);
+        query.bind(2, status);
         if (!query.executeStep()) return std::nullopt;
         RunRecord run = run_of(query);
         run.cached = true;

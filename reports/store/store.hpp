@@ -66,6 +66,8 @@ class Store {
 
     /// The newest successful run with this key.
     [[nodiscard]] std::optional<RunRecord> find(const std::string& key) const;
+    /// The newest run with this key that failed.
+    [[nodiscard]] std::optional<RunRecord> find_failed(const std::string& key) const;
     /// Stores the run in one transaction and returns its id.
     std::int64_t add(const RunRecord& run);
 
@@ -80,6 +82,8 @@ class Store {
 
   private:
     struct Database;
+    [[nodiscard]] std::optional<RunRecord> newest(const std::string& key,
+                                                  const std::string& status) const;
     std::filesystem::path directory_;
     std::unique_ptr<Database> database_;
 };

@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Without these the pages would open blank; every other asset is named by them.
-constexpr std::array<std::string_view, 5> required_assets{
-    "index.html", "history.html", "charts.html", "style.css", "plotly-cartesian.min.js"};
+constexpr std::array<std::string_view, 6> required_assets{"index.html",  "history.html",
+                                                          "charts.html", "stability.html",
+                                                          "style.css",   "plotly-cartesian.min.js"};
 
 void check_assets(const fs::path& assets) {
     for (const std::string_view name : required_assets) {
@@ -92,6 +93,13 @@ void write_chart_page(const nlohmann::json& document, const fs::path& directory,
                       const fs::path& assets) {
     prepare(directory, assets);
     write_file_atomically(directory / "charts-data.js",
+                          script("window.crossgrainReport", document));
+}
+
+void write_stability_page(const nlohmann::json& document, const fs::path& directory,
+                          const fs::path& assets) {
+    prepare(directory, assets);
+    write_file_atomically(directory / "stability-data.js",
                           script("window.crossgrainReport", document));
 }
 

@@ -27,4 +27,8 @@ void write_web_report(const nlohmann::json& document, const std::filesystem::pat
 void write_chart_page(const nlohmann::json& document, const std::filesystem::path& directory,
                       const std::filesystem::path& assets);
 
+/// Writes stability.html likewise.
+void write_stability_page(const nlohmann::json& document, const std::filesystem::path& directory,
+                          const std::filesystem::path& assets);
+
 }  // namespace crossgrain::reports

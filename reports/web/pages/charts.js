@@ -51,6 +51,35 @@ window.crossgrain = window.crossgrain || {};
     };
   }
 
+  /** What a rung is without the numbers of its sweep: rungs of one method make a ladder. */
+  const methodOf = (point) =>
+    (point.variant || "")
+      .split("/")
+      .filter((part) => !part.includes("="))
+      .join(", ");
+
+  /** Thin lines along the ladders, so that their slopes are seen. */
+  function ladders(charted, code, points) {
+    const look = crossgrain.codes.color(code);
+    return [...groupBy(points, methodOf)]
+      .filter(([, rungs]) => rungs.length > 2)
+      .map(([method, rungs]) => {
+        const sorted = [...rungs].sort((a, b) => costOf(a) - costOf(b));
+        return {
+          type: "scatter",
+          mode: "lines",
+          meta: "ladder",
+          name: plain(code + " " + method),
+          legendgroup: code,
+          hoverinfo: "name",
+          opacity: 0.45,
+          x: sorted.map(costOf),
+          y: sorted.map((point) => point.error || floorOf(charted)),
+          line: { color: look, width: 1 },
+        };
+      });
+  }
+
   function front(charted) {
     const points = list(charted.points).filter((point) => point.on_front);
     return {
@@ -83,7 +112,10 @@ window.crossgrain = window.crossgrain || {};
 
   function build(charted) {
     const byCode = groupBy(list(charted.points), (point) => point.code);
-    const data = [...byCode].map(([code, points]) => cloud(charted, code, points));
+    const data = [...byCode].flatMap(([code, points]) => [
+      ...ladders(charted, code, points),
+      cloud(charted, code, points),
+    ]);
     data.push(front(charted));
     const guides = [level(charted.margin, "margin", data)];
     if (charted.reference.stderr > 0) {

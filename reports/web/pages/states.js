@@ -7,6 +7,10 @@ window.crossgrain = window.crossgrain || {};
 
   const known = [
     "ok",
+    "inaccurate",
+    "energy gain",
+    "blow-up",
+    "not finished",
     "steady",
     "ageing",
     "absorbing",
@@ -29,6 +33,11 @@ window.crossgrain = window.crossgrain || {};
     return "s-other-" + (1 + (strangers.indexOf(label) % spare));
   }
 
+  /** The colour of a state in a figure. */
+  const color = (label) =>
+    crossgrain.plot.variable("--" + styleClass(label).replace(/^s-/, "state-")) ||
+    crossgrain.plot.variable("--state-ok");
+
   const state = (label) => el("span", { class: "state " + styleClass(label) }, label || "no word");
 
   /** Colours and words of the states that occur, with how often each does. */
@@ -44,5 +53,5 @@ window.crossgrain = window.crossgrain || {};
     );
   }
 
-  crossgrain.states = { state, styleClass, legend };
+  crossgrain.states = { state, styleClass, color, legend };
 })(window.crossgrain);

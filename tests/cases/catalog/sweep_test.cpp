@@ -102,6 +102,24 @@ BOOST_AUTO_TEST_CASE(written_variants_are_crossed_with_the_sweep) {
     BOOST_TEST(contact_time(c.grain_scene(3, 0, 1)) > 0.09);
 }
 
+BOOST_AUTO_TEST_CASE(a_variant_may_be_limited_to_some_points_of_the_sweep) {
+    const std::string limited = swept +
+                                "[[variant]]\nname = \"hard\"\nonly = { dt = [\"0.002\"] }\n"
+                                "scene.contact.contact_time = 0.05\n"
+                                "[[variant]]\nname = \"soft\"\n";
+    const auto c = load(replaced(limited, "[quick.sweep]\ndt = [4e-3]\n", ""));
+    BOOST_TEST_REQUIRE(c.variants.size() == 6u);
+    BOOST_TEST(c.variants[0].name == "verlet-half-step/dt=0.001/soft");
+    BOOST_TEST(c.variants[1].name == "verlet-half-step/dt=0.002/hard");
+    BOOST_TEST(contact_time(c.grain_scene(1, 0, 1)) < 0.06);
+    BOOST_TEST(contact_time(c.grain_scene(2, 0, 1)) > 0.09);
+    BOOST_TEST(c.grain_scene(5, 0, 1).dt == 2e-3);
+    // A limit that no point meets would leave the variant out for ever.
+    BOOST_TEST(refusal_of(replaced(limited, "0.002\"", "0.003\"")).key == "variant.only.dt");
+    BOOST_TEST(refusal_of(replaced(limited, "dt = [\"", "gravity = [\"")).key ==
+               "variant.only.gravity");
+}
+
 BOOST_AUTO_TEST_CASE(a_key_of_a_table_of_the_scene_is_swept_by_its_path) {
     const auto c = load(case_text + "[sweep]\n\"initial.velocity_spread\" = [1.0, 2.0]\n"
                                     "\"contact.restitution\" = [0.9, 1.0]\n");

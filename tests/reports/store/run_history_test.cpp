@@ -82,15 +82,17 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_is_nothing) {
     BOOST_TEST(!results.find("ke_").has_value());
 }
 
-BOOST_AUTO_TEST_CASE(the_newest_success_is_found_and_failures_never) {
+BOOST_AUTO_TEST_CASE(the_newest_success_is_found_and_a_failure_only_if_asked_for) {
     const tests::TemporaryDirectory directory;
     Store results(directory.path());
     (void)results.add(failed_run("key"));
     BOOST_TEST(!results.find("key").has_value());
     (void)results.add(stored_run("key", 1.0));
     const auto newest = results.add(stored_run("key", 2.0));
-    (void)results.add(failed_run("key"));
+    const auto failed = results.add(failed_run("key"));
     (void)results.add(stored_run("another", 3.0));
+    BOOST_TEST(results.find_failed("key").value().id == failed);
+    BOOST_TEST(!results.find_failed("another").has_value());
     const auto found = results.find("key");
     BOOST_TEST_REQUIRE(found.has_value());
     BOOST_TEST(found->id == newest);

@@ -35,8 +35,8 @@ struct Folder {
     Folder& operator=(const Folder&) = delete;
 
     fs::path assets() const {
-        for (const char* name : {"index.html", "history.html", "charts.html", "style.css",
-                                 "plotly-cartesian.min.js", "summary.js"})
+        for (const char* name : {"index.html", "history.html", "charts.html", "stability.html",
+                                 "style.css", "plotly-cartesian.min.js", "summary.js"})
             reports::write_file_atomically(path / "assets" / name, name);
         return path / "assets";
     }
