@@ -36,7 +36,8 @@ struct DoubleFormat {
 template <class T>
 struct CacheLineAllocator {
     using value_type = T;
-    static constexpr std::align_val_t line{64};
+    static constexpr std::size_t bytes = 64;
+    static constexpr std::align_val_t line{bytes};
     CacheLineAllocator() = default;
     template <class Other>
     explicit CacheLineAllocator(const CacheLineAllocator<Other>&) {}
@@ -111,6 +112,7 @@ struct StepTask {
     Real* own_y = nullptr;
     std::size_t first_group = 0, last_group = 0;
     std::size_t grains = 0;  ///< without padding
+    std::size_t ahead = 0;   ///< records so far ahead are called for; none if it is `grains`
     float closed = 0;  ///< gaps of up to so much may have closed since the list was made (length)
     typename Format::Position bottom = 0;  ///< touches a grain whose y is below
     typename Format::Position lid = 0;     ///< touches a grain whose y is above

@@ -24,6 +24,11 @@ constexpr double within_rounding = 0.999;
 /// A step is worth a handshake between threads from so many grains per thread on.
 constexpr std::size_t grains_per_thread = 4096;
 
+/// From here on records come from afar, and are called for before their neighbours need them:
+/// beyond the next columns of a bed and a window of the list, but well within a cache.
+constexpr std::size_t fits_in_cache = 512 * 1024;
+constexpr std::size_t grains_ahead = 1024;
+
 int useful_threads(const Parameters& p, std::size_t grains) {
     const std::size_t most = std::max<std::size_t>(grains / grains_per_thread, 1);
     return static_cast<int>(std::min(static_cast<std::size_t>(std::max(p.threads, 1)), most));
@@ -98,6 +103,8 @@ void SimdKernel<Format>::run(Function function, Records<Format>& out) {
                           .own_x = places_.own_x.data(),
                           .own_y = places_.own_y.data(),
                           .grains = grains_,
+                          .ahead =
+                              grains_ * sizeof(Record) > fits_in_cache ? grains_ahead : grains_,
                           .closed = closed(),
                           .lid_overlap = lid_overlap_.data(),
                           .drift_x = drift_x_,

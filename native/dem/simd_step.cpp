@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <hwy/cache_control.h>
 #include <type_traits>
 
 // Older than any machine with a use for it; the scalar kernel does there.
@@ -154,6 +155,17 @@ void OpenStep(const StepTask<typename Kind::Format>& task) {
     watch.Tell();
 }
 
+/// A window of the list is sorted by number of neighbours: the first to ask for its records ask in
+/// no order that a processor foresees.
+template <class Format>
+HWY_INLINE void PrefetchGroup(const typename Format::Record* first) {
+    constexpr std::size_t line = CacheLineAllocator<typename Format::Record>::bytes;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(first);
+    const std::size_t size = hn::Lanes(typename Lanes<Format>::D()) * sizeof(*first);
+    for (std::size_t offset = 0; offset < size; offset += line)
+        hwy::Prefetch(bytes + offset);
+}
+
 /// Forces on the groups of the task and what follows from them.
 template <class Kind, Ending ending>
 void ForceStep(const StepTask<typename Kind::Format>& given) {
@@ -171,6 +183,7 @@ void ForceStep(const StepTask<typename Kind::Format>& given) {
     std::int64_t looked_at = 0;
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
         const std::size_t first = group * lanes;
+        if (first + task.ahead < task.grains) PrefetchGroup<Format>(task.in + first + task.ahead);
         forces.Begin(task.in + first);
         const std::size_t first_row = task.list->first_row[group];
         const auto* row = task.list->offsets.data() + first_row * lanes;
