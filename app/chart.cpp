@@ -56,6 +56,20 @@ double least_seconds(const CaseRuns& runs, const std::string& code, std::size_t 
     return least;
 }
 
+/// The name of a variant without the numbers it is swept over: "predicted/double" of
+/// "predicted/double/dt=0.002". A variant that is laid over the scene is a method of its own.
+std::string method_of(const catalog::Variant& variant) {
+    std::string method = variant.name;
+    for (const auto& [key, text] : variant.parameters) {
+        if (text.find_first_not_of("0123456789.e+-") != std::string::npos) continue;
+        const std::string swept = key + "=" + text;
+        if (const auto at = method.find(swept); at != std::string::npos) {
+            method.erase(at, swept.size());
+        }
+    }
+    return method;
+}
+
 /// Start-up of each code: runs of one method, which differ in length only, tell it.
 std::map<std::string, double> start_ups(const CaseRuns& runs) {
     const auto& variants = runs.the_case().variants;
@@ -64,11 +78,8 @@ std::map<std::string, double> start_ups(const CaseRuns& runs) {
         for (std::size_t v = 0; v < variants.size(); ++v) {
             const auto* run = runs.find(code, v, 0, 0);
             if (run == nullptr) continue;
-            std::string method = variants[v].drops;
-            for (const auto& [key, text] : variants[v].parameters) {
-                if (text.find_first_not_of("0123456789.e+-") != std::string::npos) method += text;
-            }
-            methods[code][method].emplace_back(run->work, least_seconds(runs, code, v));
+            methods[code][method_of(variants[v])].emplace_back(run->work,
+                                                               least_seconds(runs, code, v));
         }
     }
     std::map<std::string, double> seconds;
