@@ -33,7 +33,8 @@ class CaseRuns {
     /// Set if any run of the code in this variant has no result.
     [[nodiscard]] std::optional<Absence> absence(const std::string& code,
                                                  std::size_t variant) const;
-    /// One measurement from all replicas; nothing if a run lacks it.
+    /// One measurement from all replicas; nothing if a run failed or more than one in ten lack it.
+    /// Setting replicas_without if some do.
     [[nodiscard]] std::optional<compare::Combined> combined(const std::string& code,
                                                             std::size_t variant, std::size_t rung,
                                                             const std::string& observable) const;

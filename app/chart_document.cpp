@@ -1,11 +1,14 @@
 #include "app/chart_document.hpp"
 
 #include "app/text_table.hpp"
+#include "native/base/errors.hpp"
 #include "reports/web/csv.hpp"
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace crossgrain::app {
@@ -84,6 +87,26 @@ json chart_json(const Chart& chart) {
             {"title", chart.title},
             {"observables", std::move(observables)},
             {"failures", std::move(failures)}};
+}
+
+void add_earlier_charts(const std::filesystem::path& directory, json& charts) {
+    std::set<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(directory))
+        if (entry.path().extension() == ".json") files.insert(entry.path());
+    std::set<std::string> present;
+    for (const auto& chart : charts)
+        present.insert(chart.at("case").get<std::string>());
+    for (const auto& file : files) {
+        if (present.contains(file.stem().string())) continue;
+        std::ifstream in(file);
+        auto chart = json::parse(in, nullptr, false);
+        if (!chart.is_object() || !chart.contains("case")) {
+            throw CaseError({.file = file.string(),
+                             .problem = "is no chart",
+                             .hint = "delete it, or chart its case again"});
+        }
+        charts.push_back(std::move(chart));
+    }
 }
 
 std::string chart_csv(const Chart& chart) {

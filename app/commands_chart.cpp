@@ -3,7 +3,6 @@
 #include "app/catalogue.hpp"
 #include "app/chart_document.hpp"
 #include "app/commands.hpp"
-#include "native/base/errors.hpp"
 #include "reports/web/atomic_file.hpp"
 #include "reports/web/web_report.hpp"
 
@@ -21,6 +20,8 @@ int chart_cases(const Settings& given, std::stop_token stop) {
     for (const auto& item : report.cases) {
         const Chart chart = chart_of(item);
         charts.push_back(chart_json(chart));
+        charts.back()["created"] = store::utc_now();
+        charts.back()["version"] = program_version();
         reports::write_file_atomically(directory / "charts" / (chart.case_name + ".csv"),
                                        chart_csv(chart));
         reports::write_file_atomically(directory / "charts" / (chart.case_name + ".json"),
@@ -33,7 +34,9 @@ int chart_cases(const Settings& given, std::stop_token stop) {
                                   {"command", settings.command},
                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
                                   {"charts", charts}};
-    reports::write_chart_page(document, directory, share_directory() / "web");
+    nlohmann::json page = document;
+    add_earlier_charts(directory / "charts", page["charts"]);
+    reports::write_chart_page(page, directory, share_directory() / "web");
     if (settings.json) {
         fmt::print("{}\n", document.dump(2));
     } else {

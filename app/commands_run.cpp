@@ -139,7 +139,12 @@ int compare_cases(const Settings& settings) {
 int certify_cases(const Settings& settings, std::stop_token stop) {
     Settings parity = settings;
     if (parity.cases.empty()) {
-        parity.cases = {"gas-parity", "bed-parity", "gas-friction"};
+        parity.cases = {"gas-parity",
+                        "bed-parity",
+                        "collision-friction",
+                        "frozen-friction",
+                        "polydisperse-friction",
+                        "gas-friction"};
         if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
     }
     store::Store store(settings.results);
@@ -149,8 +154,11 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
         document["attribution"] = attribution_document(report);
         fmt::print("{}\n", document.dump(2));
     } else {
-        fmt::print("{}{}{}", certificate_table(report), exceptions_list(report),
-                   attribution_table(report));
+        const std::string certificate = certificate_table(report);
+        const std::string attribution = attribution_table(report);
+        const bool nothing = certificate.empty() && attribution.empty();
+        fmt::print("{}{}{}", nothing ? "no case with a parity check was selected\n" : certificate,
+                   exceptions_list(report), attribution);
     }
     return close_session(report, parity);
 }

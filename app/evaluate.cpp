@@ -49,7 +49,49 @@ void collect_measurements(const CaseRuns& runs, Evaluation& evaluation) {
 
 }  // namespace
 
+bool is_fitted(const catalog::Case& the_case, const std::string& observable) {
+    return std::ranges::any_of(the_case.fits, [&](const catalog::Fit& fit) {
+        switch (fit.law) {
+        case catalog::FitLaw::local_slope:
+            return false;
+        case catalog::FitLaw::outlet:
+            return observable == fit.name + "_factor" || observable == fit.name + "_cut";
+        default:
+            return observable == fit.name;
+        }
+    });
+}
+
+std::optional<compare::Combined> measured(const CaseRuns& runs, const Evaluation& evaluation,
+                                          const std::string& code, std::size_t variant,
+                                          const std::string& observable) {
+    if (auto own = runs.combined(code, variant, 0, observable)) return own;
+    const bool fitted = is_fitted(runs.the_case(), observable);
+    const std::string place = fitted ? "" : runs.the_case().variants[variant].name;
+    const auto found = std::ranges::find_if(evaluation.measurements, [&](const auto& m) {
+        return m.code == code && m.variant == place && m.rung == 0 &&
+               m.combined.measurement.observable == observable;
+    });
+    if (found == evaluation.measurements.end()) return std::nullopt;
+    return found->combined;
+}
+
+std::optional<Absence> absence(const CaseRuns& runs, const catalog::Check& check,
+                               const std::string& code, std::size_t variant) {
+    if (!is_fitted(runs.the_case(), check.observable)) return runs.absence(code, variant);
+    std::optional<Absence> first;
+    bool any_run = false;
+    for (std::size_t v = 0; v < runs.the_case().variants.size(); ++v) {
+        const auto here = runs.absence(code, v);
+        if (here && here->outcome == Outcome::run_failed) return here;
+        if (!here) any_run = true;
+        if (!first) first = here;
+    }
+    return any_run ? std::nullopt : first;
+}
+
 std::vector<std::size_t> variants_of(const catalog::Case& the_case, const catalog::Check& check) {
+    if (is_fitted(the_case, check.observable)) return {0};
     std::vector<std::size_t> result;
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
         const auto& wanted = check.variants;
@@ -83,6 +125,7 @@ compare::Verdict blank_verdict(const catalog::Case& the_case, const catalog::Che
                              .setting = the_case.variants[variant].name,
                              .limit = check.limit,
                              .limit_reason = check.reason};
+    if (is_fitted(the_case, check.observable)) verdict.setting.clear();
     if (!check.column.empty()) verdict.observable += "." + check.column;
     if (check.aspect == catalog::Aspect::limit) verdict.observable += " (dt -> 0)";
     if (check.aspect == catalog::Aspect::order) verdict.observable += " (order in dt)";
@@ -99,6 +142,7 @@ void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t var
         }
     }
     for (const auto& [pattern, outcome_there] : check.expect_in) {
+        if (is_fitted(runs.the_case(), check.observable)) break;  // belongs to no variant
         if (catalog::matches(pattern, runs.the_case().variants[variant].name)) {
             wanted = outcome_there;
         }

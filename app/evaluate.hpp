@@ -74,7 +74,19 @@ void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
 /// To be called after the parity checks.
 void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation);
 
-/// Variants a check applies to.
+/// What a code measured in a variant, by its runs or by a fit over the variants of the case, which
+/// has the same value in each; nothing if a run lacks it or the fit had too few points.
+[[nodiscard]] std::optional<compare::Combined>
+measured(const CaseRuns& runs, const Evaluation& evaluation, const std::string& code,
+         std::size_t variant, const std::string& observable);
+/// Whether the case fits the observable over its variants, so that it belongs to none of them.
+[[nodiscard]] bool is_fitted(const catalog::Case& the_case, const std::string& observable);
+/// Why a code has no result to be judged. A fit leaves out the variants that were not run or cannot
+/// be expressed, but not one whose run failed.
+[[nodiscard]] std::optional<Absence> absence(const CaseRuns& runs, const catalog::Check& check,
+                                             const std::string& code, std::size_t variant);
+
+/// Variants a check applies to; the first one for what is fitted over all of them.
 [[nodiscard]] std::vector<std::size_t> variants_of(const catalog::Case& the_case,
                                                    const catalog::Check& check);
 /// Codes of the runs a check applies to, in their order.

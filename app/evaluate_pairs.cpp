@@ -84,12 +84,13 @@ std::optional<double> variant_difference(const CaseRuns& runs, const catalog::Ch
 }
 
 /// The first absence of either code.
-std::optional<Absence> pair_absence(const CaseRuns& runs, std::size_t variant, const std::string& a,
+std::optional<Absence> pair_absence(const CaseRuns& runs, const catalog::Check& check,
+                                    std::size_t variant, const std::string& a,
                                     const std::string& b) {
     for (const auto& code : {a, b}) {
-        if (auto absence = runs.absence(code, variant)) {
-            absence->reason = fmt::format("{}: {}", code, absence->reason);
-            return absence;
+        if (auto absent = absence(runs, check, code, variant)) {
+            absent->reason = fmt::format("{}: {}", code, absent->reason);
+            return absent;
         }
     }
     return std::nullopt;
@@ -105,7 +106,7 @@ void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation
                 auto verdict = blank_verdict(runs.the_case(), check, codes[i], variant);
                 verdict.against = codes[j];
                 verdict.limit = pair_limit(check, codes[i], codes[j]);
-                if (const auto absence = pair_absence(runs, variant, codes[i], codes[j])) {
+                if (const auto absence = pair_absence(runs, check, variant, codes[i], codes[j])) {
                     conclude(runs, check, variant, codes[j], absence->outcome, absence->reason,
                              verdict);
                 } else {
@@ -193,13 +194,16 @@ void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluati
 
 namespace {
 
-/// Two measurements of the same observable: equivalent within the margin?
+/// Two measurements: equivalent within the margin?
 void judge_equivalence(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
                        const std::string& other, const std::optional<compare::Combined>& a,
                        const std::optional<compare::Combined>& b, compare::Verdict& verdict) {
     if (!a || !b) {
-        return conclude(runs, check, variant, other, Outcome::undecided,
-                        fmt::format("'{}' was not measured by both", check.observable), verdict);
+        const std::string& missing = a && !check.with.empty() ? check.with : check.observable;
+        return conclude(
+            runs, check, variant, other, Outcome::undecided,
+            fmt::format("'{}' was not measured{}", missing, other.empty() ? "" : " by both"),
+            verdict);
     }
     const double error_a = a->measurement.standard_error;
     const double error_b = b->measurement.standard_error;
@@ -249,16 +253,36 @@ void evaluate_between(const CaseRuns& runs, const catalog::Check& check, Evaluat
     }
 }
 
+/// Two observables of the same code in the same variant.
+void evaluate_with(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
+    for (const std::size_t variant : variants_of(runs.the_case(), check)) {
+        for (const auto& code : codes_of(runs, check)) {
+            auto verdict = blank_verdict(runs.the_case(), check, code, variant);
+            verdict.against = fmt::format("its own {}", check.with);
+            if (const auto absent = absence(runs, check, code, variant)) {
+                conclude(runs, check, variant, "", absent->outcome, absent->reason, verdict);
+            } else {
+                judge_equivalence(runs, check, variant, "",
+                                  measured(runs, evaluation, code, variant, check.observable),
+                                  measured(runs, evaluation, code, variant, check.with), verdict);
+            }
+            evaluation.verdicts.push_back(std::move(verdict));
+        }
+    }
+}
+
 }  // namespace
 
 void evaluate_agree(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
     if (!check.between.empty()) return evaluate_between(runs, check, evaluation);
+    if (!check.with.empty()) return evaluate_with(runs, check, evaluation);
     for_each_pair(runs, check, evaluation,
                   [&](std::size_t variant, const std::string& a, const std::string& b,
                       compare::Verdict& verdict) {
                       judge_equivalence(runs, check, variant, b,
-                                        runs.combined(a, variant, 0, check.observable),
-                                        runs.combined(b, variant, 0, check.observable), verdict);
+                                        measured(runs, evaluation, a, variant, check.observable),
+                                        measured(runs, evaluation, b, variant, check.observable),
+                                        verdict);
                   });
 }
 

@@ -12,9 +12,10 @@ namespace {
 
 using compare::Outcome;
 
-void judge(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-           const published::PublishedValue& reference, compare::Verdict& verdict) {
-    const auto combined = runs.combined(verdict.code, variant, 0, check.observable);
+void judge(const CaseRuns& runs, const Evaluation& evaluation, const catalog::Check& check,
+           std::size_t variant, const published::PublishedValue& reference,
+           compare::Verdict& verdict) {
+    const auto combined = measured(runs, evaluation, verdict.code, variant, check.observable);
     if (!combined) {
         return conclude(runs, check, variant, "", Outcome::undecided,
                         fmt::format("'{}' was not measured", check.observable), verdict);
@@ -49,13 +50,13 @@ void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
     for (const std::size_t variant : variants_of(runs.the_case(), check)) {
         for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, variant);
-            if (const auto absence = runs.absence(code, variant)) {
-                conclude(runs, check, variant, "", absence->outcome, absence->reason, verdict);
+            if (const auto absent = absence(runs, check, code, variant)) {
+                conclude(runs, check, variant, "", absent->outcome, absent->reason, verdict);
             } else if (!reference) {
                 conclude(runs, check, variant, "", Outcome::no_reference,
                          fmt::format("no published value '{}'", id), verdict);
             } else {
-                judge(runs, check, variant, *reference, verdict);
+                judge(runs, evaluation, check, variant, *reference, verdict);
             }
             evaluation.verdicts.push_back(std::move(verdict));
         }

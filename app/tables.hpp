@@ -11,6 +11,7 @@ namespace crossgrain::app {
 [[nodiscard]] std::string case_table(const CaseReport& item);
 /// Cases against codes: how many verdicts of each outcome.
 [[nodiscard]] std::string verdict_table(const SessionReport& report);
+/// Empty without a case that has a parity check.
 [[nodiscard]] std::string certificate_table(const SessionReport& report);
 [[nodiscard]] std::string history_table(const std::vector<HistorySeries>& history);
 /// Everything that is neither agreement nor expected, one line each with its reason.

@@ -54,6 +54,7 @@ struct Check {
     std::string along;                  ///< key of the sweep a trend is judged over
     std::vector<std::string> variants;  ///< names or globs ("P/*"); empty: all
     std::vector<std::string> between;   ///< two variants that must agree in each code; or empty
+    std::string with;                   ///< the same code's observable to agree with; or empty
     std::vector<std::string> codes;     ///< empty: all
     double limit = 0;                   ///< tolerance or equivalence margin, > 0
     std::map<std::string, double> limit_for;  ///< by code; a pair takes its largest

@@ -74,6 +74,11 @@ Check read_check(const TomlTable& t) {
                           "two variants, in a check of kind \"agree\"");
         }
     }
+    check.with = t.optional_text("with").value_or("");
+    if (!check.with.empty() && (check.kind != CheckKind::agree || !check.between.empty())) {
+        throw t.error("with", "does not fit", check.with,
+                      "another observable, in a check of kind \"agree\" without 'between'");
+    }
     if (t.has("codes")) check.codes = t.texts("codes");
     check.limit = t.number("limit", Range::positive());
     const TomlTable limits = t.table("limit_for");

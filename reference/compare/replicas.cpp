@@ -48,12 +48,18 @@ double within_run_error(std::span<const measure::Measurement> replicas) {
     return std::sqrt(squares) / static_cast<double>(replicas.size());
 }
 
+/// An angle fitted to a wall is not the same to the last bit in every replica.
+bool same_setting(double a, double b) {
+    constexpr double rounding = 1e-9;
+    return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
 std::map<std::string, double> shared_settings(std::span<const measure::Measurement> replicas) {
     std::map<std::string, double> shared = replicas.front().settings;
     std::erase_if(shared, [&](const auto& setting) {
         return std::ranges::any_of(replicas, [&](const auto& one) {
             const auto found = one.settings.find(setting.first);
-            return found == one.settings.end() || found->second != setting.second;
+            return found == one.settings.end() || !same_setting(found->second, setting.second);
         });
     });
     return shared;

@@ -15,7 +15,8 @@ enum class ErrorBasis {
 
 struct Combined {
     /// value: mean over the replicas, all weighted equally; n summed; systematic: mean (it is
-    /// shared by the replicas and does not average out); settings: those that all replicas share.
+    /// shared by the replicas and does not average out); settings: those that all replicas share
+    /// but for rounding.
     measure::Measurement measurement;
     std::size_t replicas = 0;
     ErrorBasis basis = ErrorBasis::scatter;

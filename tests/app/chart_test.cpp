@@ -1,10 +1,14 @@
 // Speed against accuracy: start-up, the front, and how many runs are enough.
 #include "app/advise.hpp"
 #include "app/chart.hpp"
+#include "app/chart_document.hpp"
+#include "native/base/errors.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -88,4 +92,23 @@ BOOST_AUTO_TEST_CASE(dropped_physics_is_judged_against_the_full_variant) {
     BOOST_TEST(advice.dropped[0].cost_ratio == 0.5, tt::tolerance(1e-12));
     BOOST_TEST(advice.dropped[1].verdict == "disagree");
     BOOST_TEST(advice.cheapest->point.variant == "full");
+}
+
+// The page shows all charts of a store, whichever call made them; what lies there and is no chart
+// is named, not drawn as nothing.
+BOOST_AUTO_TEST_CASE(earlier_charts_stay_on_the_page) {
+    const tests::TemporaryDirectory directory;
+    const auto write = [&](const char* name, const char* text) {
+        std::ofstream(directory.path() / name) << text;
+    };
+    write("first.json", R"({"case": "first", "title": "old"})");
+    write("second.json", R"({"case": "second", "title": "old"})");
+    write("second.csv", "case,observable");
+    auto charts = nlohmann::json::parse(R"([{"case": "second", "title": "new"}])");
+    app::add_earlier_charts(directory.path(), charts);
+    BOOST_TEST_REQUIRE(charts.size() == 2U);
+    BOOST_TEST(charts[0].at("title").get<std::string>() == "new");
+    BOOST_TEST(charts[1].at("case").get<std::string>() == "first");
+    write("third.json", R"({"case": )");
+    BOOST_CHECK_THROW(app::add_earlier_charts(directory.path(), charts), CaseError);
 }

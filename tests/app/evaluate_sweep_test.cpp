@@ -146,6 +146,121 @@ BOOST_AUTO_TEST_CASE(a_fit_has_the_error_of_its_replicas_and_the_spread_of_its_w
     BOOST_TEST(m.systematic < 1e-9);
 }
 
+namespace {
+
+/// Two replicas of code at each point of y = x^power, 1 % off to either side.
+std::vector<store::RunRecord> power_law(const catalog::Case& the_case, const std::string& code,
+                                        double power) {
+    std::vector<store::RunRecord> records;
+    double x = 1;
+    for (const auto& variant : the_case.variants) {
+        for (const std::int64_t replica : {0, 1}) {
+            auto record = run_of(variant.name, std::pow(x, power) * (replica == 0 ? 0.99 : 1.01));
+            record.code = code;
+            record.replica = replica;
+            record.results.measurements[0].settings = {{"x", x}};
+            records.push_back(std::move(record));
+        }
+        x *= 2;
+    }
+    return records;
+}
+
+Check agree_check(const std::string& observable, double limit) {
+    Check check;
+    check.kind = CheckKind::agree;
+    check.observable = observable;
+    check.limit = limit;
+    check.reason = "a test";
+    return check;
+}
+
+catalog::Case fitted_case(const Check& check) {
+    auto the_case = case_with({check});
+    the_case.fits = {
+        {.name = "power", .law = catalog::FitLaw::exponent, .observable = "slope", .along = "x"},
+        {.name = "rise", .law = catalog::FitLaw::local_slope, .observable = "slope", .along = "x"}};
+    return the_case;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_fit_is_judged_once_between_codes_and_against_the_literature) {
+    auto check = agree_check("power", 0.2);
+    check.expect_in = {{"*", "disagree"}};  // of variants, to none of which a fit belongs
+    const auto judged = [&](double other) {
+        const auto the_case = fitted_case(check);
+        auto records = power_law(the_case, "a", 1);
+        for (auto& record : power_law(the_case, "b", other))
+            records.push_back(std::move(record));
+        return evaluation_of(the_case, std::move(records)).verdicts;
+    };
+    const auto same = judged(1.001);  // to the last bit the same would be one output read twice
+    BOOST_REQUIRE(same.size() == 1U);
+    BOOST_CHECK(same[0].outcome == Outcome::agree);
+    BOOST_TEST(same[0].expected);
+    BOOST_TEST(same[0].setting == "");
+    BOOST_CHECK(judged(2).at(0).outcome == Outcome::disagree);
+    check.kind = CheckKind::published;
+    check.against = "published:test/number";  // 1
+    BOOST_CHECK(judged(1).at(0).outcome == Outcome::agree);
+    BOOST_CHECK(judged(2).at(1).outcome == Outcome::disagree);
+}
+
+BOOST_AUTO_TEST_CASE(a_fit_with_a_failed_run_or_too_few_points_is_never_green) {
+    auto check = agree_check("power", 0.2);
+    check.kind = CheckKind::published;
+    check.against = "published:test/number";
+    const auto the_case = fitted_case(check);
+    auto failed = power_law(the_case, "a", 1);
+    failed[3].status = "run_failed";
+    BOOST_CHECK(evaluation_of(the_case, failed).verdicts.at(0).outcome == Outcome::run_failed);
+    auto few = power_law(the_case, "a", 1);
+    for (std::size_t i = 2; i < few.size(); ++i)
+        few[i].status = "not_run";
+    BOOST_CHECK(evaluation_of(the_case, few).verdicts.at(0).outcome == Outcome::undecided);
+}
+
+// y = x at 1, 2, 4, 8: the slope is 1 everywhere, y itself only at the first point.
+BOOST_AUTO_TEST_CASE(an_observable_agrees_with_another_of_the_same_code_or_does_not) {
+    auto check = agree_check("slope", 0.4);
+    check.with = "rise";
+    const auto the_case = fitted_case(check);
+    const auto verdicts = evaluation_of(the_case, power_law(the_case, "a", 1)).verdicts;
+    BOOST_REQUIRE(verdicts.size() == 4U);
+    BOOST_TEST(verdicts[1].against == "its own rise");
+    BOOST_CHECK(verdicts[0].outcome == Outcome::undecided);  // no slope at the ends
+    BOOST_CHECK(verdicts[2].outcome == Outcome::disagree);   // 4 against 1
+    check.limit = 3;
+    const auto wide = fitted_case(check);
+    BOOST_CHECK(evaluation_of(wide, power_law(wide, "a", 1)).verdicts.at(1).outcome ==
+                Outcome::agree);  // 2 against 1
+}
+
+// A run in a hundred is called unsteady by chance and measures nothing: of many replicas it must
+// not cost all the others. Two of eleven are no chance, nor is one of nine.
+BOOST_AUTO_TEST_CASE(one_of_many_replicas_may_lack_a_measurement) {
+    const auto the_case = case_with({});
+    const std::string& variant = the_case.variants[0].name;
+    const auto combined = [&](std::int64_t replicas, std::int64_t without) {
+        std::vector<store::RunRecord> records;
+        for (std::int64_t replica = 0; replica < replicas; ++replica) {
+            auto record = run_of(variant, 1 + 0.1 * static_cast<double>(replica % 2));
+            record.replica = replica;
+            if (replica < without) record.results.measurements.clear();
+            records.push_back(std::move(record));
+        }
+        return CaseRuns(the_case, std::move(records)).combined("a", 0, 0, "slope");
+    };
+    const auto most = combined(11, 1);
+    BOOST_TEST_REQUIRE(most.has_value());
+    BOOST_TEST(most->replicas == 10U);
+    BOOST_TEST(most->measurement.settings.at("replicas_without") == 1);
+    BOOST_TEST(!combined(11, 0)->measurement.settings.contains("replicas_without"));
+    BOOST_TEST(!combined(11, 2).has_value());
+    BOOST_TEST(!combined(9, 1).has_value());
+}
+
 BOOST_AUTO_TEST_CASE(a_published_trend_is_no_number_to_compare_with) {
     auto check = trend_check(Aspect::value);
     const auto verdicts = evaluation_of(case_with({check}), runs()).verdicts;

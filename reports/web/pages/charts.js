@@ -204,12 +204,15 @@ window.crossgrain = window.crossgrain || {};
     return table({ caption: "Not in the charts of " + item.case, columns, rows, className: "compact" });
   }
 
+  const stamp = (item) =>
+    item.created ? " (" + format.date(item.created) + ", version " + item.version + ")" : "";
+
   crossgrain.charts = (report) => {
     const all = list(report.charts);
     if (all.length === 0) return [missing("No chart: “crossgrain chart” writes them.")];
     return all.map((item) => [
       el("h2", { id: item.case }, item.case),
-      el("p", {}, item.title),
+      el("p", {}, item.title + stamp(item)),
       list(item.observables).map((charted) => chart(item, charted)),
       failures(item),
     ]);
