@@ -47,8 +47,11 @@ std::vector<std::int64_t> iterations(const ObservableRequest& request, const cha
 }
 
 EstimatorPointer make_stagnation(const HopperAutomaton& scene, const ObservableRequest& request) {
-    return std::make_unique<measure::HopperStagnation>(
-        scene, measure::HopperStagnationOptions{.at = iterations(request, "at")});
+    measure::HopperStagnationOptions options{.at = iterations(request, "at")};
+    if (request.options.contains("profile_at")) {
+        options.profile_at = number_or(request, "profile_at", 0);
+    }
+    return std::make_unique<measure::HopperStagnation>(scene, std::move(options));
 }
 
 EstimatorPointer make_flow(const HopperAutomaton& scene, const ObservableRequest& request) {
@@ -88,8 +91,9 @@ EstimatorPointer make_damage(const HopperAutomaton& scene, const ObservableReque
 const std::vector<HopperObservable>& hopper_observables() {
     static const std::vector<HopperObservable> all{
         {"hopper-stagnation",
-         "moving_fraction (P), exponent_..., critical_angle...; P(theta) and its fits",
-         {"at"},
+         "moving_fraction (P), exponent_..., critical_angle...; P(theta) and its fits, the wall's "
+         "profile",
+         {"at", "profile_at"},
          make_stagnation},
         {"hopper-flow",
          "flow_rate, flow_exponent, filling_at_first_loss, residue; rate and filling against "

@@ -218,7 +218,8 @@ Outcome together(const std::vector<TableCell>& cells) {
 
 ModelsTable fill(const Phenomenon& phenomenon, const std::vector<CaseReport>& cases,
                  const published::PublishedValues& literature) {
-    ModelsTable table{.phenomenon = phenomenon, .rows = {}};
+    ModelsTable table{
+        .phenomenon = phenomenon, .rows = {}, .figures = fill_figures(phenomenon, cases)};
     for (const TableRow& row : table.phenomenon.rows) {
         FilledRow filled{.row = row, .cells = {}};
         std::size_t reference = 0;

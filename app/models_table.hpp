@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/phenomenon.hpp"
+#include "app/phenomenon_figure.hpp"
 #include "app/session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -35,6 +36,7 @@ struct FilledRow {
 struct ModelsTable {
     Phenomenon phenomenon;
     std::vector<FilledRow> rows;
+    std::vector<FilledFigure> figures;
 };
 
 [[nodiscard]] ModelsTable fill(const Phenomenon& phenomenon, const std::vector<CaseReport>& cases,

@@ -102,7 +102,8 @@ nlohmann::json json_of(const ModelsTable& table) {
             {"text", table.phenomenon.text},
             {"columns", std::move(columns)},
             {"rows", std::move(rows)},
-            {"pictures", std::move(pictures)}};
+            {"pictures", std::move(pictures)},
+            {"figures", json_of(table.figures)}};
 }
 
 }  // namespace crossgrain::app

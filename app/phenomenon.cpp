@@ -92,6 +92,32 @@ TablePicture read_picture(const TomlTable& t) {
     return picture;
 }
 
+TableCurve read_curve(const TomlTable& t) {
+    TableCurve curve{.title = t.text("title"), .case_name = t.text("case"), .code = t.text("code")};
+    if (t.has("series")) {
+        curve.variant = t.optional_text("variant").value_or("");
+        curve.series = t.text("series");
+        curve.x = t.text("x");
+        curve.y = t.text("y");
+        const TomlTable where = t.table("where");
+        for (const auto& column : where.keys())
+            curve.where[column] = where.number(column, Range::any());
+    } else {
+        curve.observable = t.text("observable");
+        curve.along = t.text("along");
+    }
+    t.reject_unknown_keys();
+    return curve;
+}
+
+TableFigure read_figure(const TomlTable& t) {
+    TableFigure figure{.title = t.text("title"), .x = t.text("x"), .y = t.text("y")};
+    for (const TomlTable& curve : t.tables("curve"))
+        figure.curves.push_back(read_curve(curve));
+    t.reject_unknown_keys();
+    return figure;
+}
+
 }  // namespace
 
 const CellSource* Phenomenon::source(const TableRow& row, const TableColumn& column) {
@@ -116,6 +142,10 @@ std::vector<std::string> Phenomenon::cases() const {
     }
     for (const TablePicture& picture : pictures)
         add(picture.case_name);
+    for (const TableFigure& figure : figures) {
+        for (const TableCurve& curve : figure.curves)
+            add(curve.case_name);
+    }
     return all;
 }
 
@@ -131,6 +161,8 @@ Phenomenon load_phenomenon(const std::filesystem::path& file) {
         phenomenon.rows.push_back(read_row(row, phenomenon.columns, reference));
     for (const TomlTable& picture : t.tables("picture"))
         phenomenon.pictures.push_back(read_picture(picture));
+    for (const TomlTable& figure : t.tables("figure"))
+        phenomenon.figures.push_back(read_figure(figure));
     t.reject_unknown_keys();
     return phenomenon;
 }

@@ -49,11 +49,27 @@ struct TablePicture {
     std::string title, case_name, code, variant, name;
 };
 
+/// A curve of a figure: two columns of a stored series, or a measurement over the variants of a
+/// sweep.
+struct TableCurve {
+    std::string title, case_name, code;
+    std::string variant, series, x, y;    ///< columns x and y of a series
+    std::map<std::string, double> where;  ///< rows of it that count: column and value
+    std::string observable, along;        ///< a measurement against a key of the sweep
+};
+
+/// Curves of several models in one pair of axes, with the axes' titles.
+struct TableFigure {
+    std::string title, x, y;
+    std::vector<TableCurve> curves;
+};
+
 struct Phenomenon {
     std::string name, title, text;
     std::vector<TableColumn> columns;
     std::vector<TableRow> rows;
     std::vector<TablePicture> pictures;
+    std::vector<TableFigure> figures;
 
     /// What a row takes from a column; null if it says nothing about it.
     [[nodiscard]] static const CellSource* source(const TableRow& row, const TableColumn& column);

@@ -26,9 +26,8 @@ struct GasFluxOptions {
 /// that only one replica visits are left out. Measurements, over replicas:
 /// - `flux`: mean J, particles per site and step times sites;
 /// - `mean_speed`: mean J over mean rho, sites per step (absent for an empty pipe);
-/// - `particles_per_site`: mean rho; in a periodic pipe that of the scene, whatever happens: a
-/// check
-///   of how bins, walls and width are counted;
+/// - `particles_per_site`: mean rho; in a periodic pipe that of the scene, whatever happens, which
+///   checks how bins, walls and width are counted;
 /// - `flux_slope`: dJ/drho, sites per step, setting `window`; absent if fewer than half of the
 ///   replicas have two densities in the window (an error over the replicas that have).
 class GasFlux final : public GasEstimator {

@@ -18,6 +18,9 @@ namespace {
 /// Up to here the paper finds mass flow ("about 13 degrees in our computations").
 constexpr double mass_flow_up_to = 12;
 
+/// Half the range of angles (degrees) that make a profile together.
+constexpr double profile_within = 0.5;
+
 bool is_frame(const scene::HopperAutomaton& scene, std::int64_t iteration) {
     return iteration > 0 && iteration <= scene.iterations &&
            (iteration == scene.iterations || iteration % scene.every == 0);
@@ -27,13 +30,20 @@ bool is_frame(const scene::HopperAutomaton& scene, std::int64_t iteration) {
 
 HopperStagnation::HopperStagnation(const scene::HopperAutomaton& scene,
                                    HopperStagnationOptions options)
-    : scene_(scene), at_(std::move(options.at)) {
+    : scene_(scene), at_(std::move(options.at)), profile_at_(options.profile_at) {
     if (at_.empty()) at_.push_back(scene.iterations);
     for (const std::int64_t iteration : at_) {
         if (is_frame(scene, iteration)) continue;
         throw std::invalid_argument(
             fmt::format("iteration {} is no frame: these come every {} up to {}", iteration,
                         scene.every, scene.iterations));
+    }
+    const bool has_angle = std::ranges::any_of(scene.angles, [&](double angle) {
+        return std::abs(angle - profile_at_.value_or(angle)) <= profile_within;
+    });
+    if (!has_angle) {
+        throw std::invalid_argument(fmt::format("no angle within {:g} degrees of profile_at = {:g}",
+                                                profile_within, profile_at_.value_or(0)));
     }
 }
 
@@ -215,6 +225,35 @@ void HopperStagnation::append_fits(Results& results) const {
     results.series.push_back(std::move(series));
 }
 
+void HopperStagnation::append_profile(double angle, Results& results) const {
+    std::vector<double> reached;  // by wall, in units of the wall
+    const auto& walls = walls_.at(at_.front());
+    const auto replicas = static_cast<std::size_t>(scene_.replicas);
+    for (std::size_t a = 0; a < scene_.angles.size(); ++a) {
+        if (std::abs(scene_.angles[a] - angle) > profile_within) continue;
+        for (std::size_t r = 0; r < replicas; ++r) {
+            reached.push_back(walls[a * replicas + r].left);
+            reached.push_back(walls[a * replicas + r].right);
+        }
+    }
+    Series series{.name = "wall-profile",
+                  .columns = {"height", "moved", "standard_error"},
+                  .values = std::vector<std::vector<double>>(3),
+                  .units = {"1", "1", "1"}};
+    constexpr int heights = 100;
+    const auto count = static_cast<double>(reached.size());
+    for (int h = 1; h <= heights; ++h) {
+        const double height = static_cast<double>(h) / heights;
+        const auto beyond =
+            std::ranges::count_if(reached, [&](double reach) { return reach >= height; });
+        const double moved = static_cast<double>(beyond) / count;
+        series.values[0].push_back(height);
+        series.values[1].push_back(moved);
+        series.values[2].push_back(std::sqrt(moved * (1 - moved) / count));
+    }
+    results.series.push_back(std::move(series));
+}
+
 void HopperStagnation::finish(Results& results) {
     const double widest = std::ranges::max(scene_.angles);
     if (widest > widest_meaningful_angle) {
@@ -229,6 +268,7 @@ void HopperStagnation::finish(Results& results) {
     if (!complete(at_.front())) return;
     append_series(results);
     append_fits(results);
+    if (profile_at_) append_profile(*profile_at_, results);
     for (const std::int64_t iteration : at_) {
         if (complete(iteration)) append_at(iteration, results);
     }

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct HopperStagnationOptions {
     /// Iterations to measure at, each a frame of the scene; the first gives the measurements their
     /// plain names, the others add "_at_<iteration>". Empty: the last.
     std::vector<std::int64_t> at = {};
+    /// Angle of the wall's profile (degrees): runs within half a degree of it count. Left out:
+    /// none.
+    std::optional<double> profile_at = {};
 };
 
 /// P = mean over both walls of (k + 1)/L, k the highest half-level whose outermost site was ever
@@ -32,13 +36,15 @@ struct HopperStagnationOptions {
 /// - critical_angle_fit (degrees): where the log fit over 20-90 degrees reaches P = 1;
 /// - moving_fraction: P of a scene of one angle, else mean of P over the angles up to 12 degrees,
 ///   where the paper sees mass flow; moving_fraction_left and _right.
-/// Series "stagnation" (theta, iteration, left, right, P, standard_error) and, with a power law,
-/// "stagnation-fits" (theta, 1/P, both fits over 13-90, the experiment's exponents 2.1 and 2.3
-/// through the log fit's mid-point). Finding "state" = "no meaning" beyond 120 degrees, where no
-/// moving_fraction is given.
+/// Series "wall-profile" (height, moved, standard_error): the share of walls that have moved at a
+/// height in units of the wall, at the first iteration. Series "stagnation" (theta, iteration,
+/// left, right, P, standard_error) and, with a power law, "stagnation-fits" (theta, 1/P, both fits
+/// over 13-90, the experiment's exponents 2.1 and 2.3 through the log fit's mid-point). Finding
+/// "state" = "no meaning" beyond 120 degrees, where no moving_fraction is given.
 class HopperStagnation final : public HopperEstimator {
   public:
-    /// Throws std::invalid_argument for an iteration that is no frame of the scene.
+    /// Throws std::invalid_argument for an iteration that is no frame of the scene, or a profile of
+    /// an angle that it does not have.
     explicit HopperStagnation(const scene::HopperAutomaton& scene,
                               HopperStagnationOptions options = {});
     void add(const scene::HopperFrame& frame) override;
@@ -63,9 +69,11 @@ class HopperStagnation final : public HopperEstimator {
                                 Results& results) const;
     void append_series(Results& results) const;
     void append_fits(Results& results) const;
+    void append_profile(double angle, Results& results) const;
 
     scene::HopperAutomaton scene_;
     std::vector<std::int64_t> at_;
+    std::optional<double> profile_at_;
     /// By iteration, shape (angles, replicas).
     std::map<std::int64_t, std::vector<Walls>> walls_;
     std::map<std::int64_t, std::size_t> seen_;

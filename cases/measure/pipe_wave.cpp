@@ -41,17 +41,18 @@ FluxRegression sum_of(const std::vector<FluxRegression>& blocks, std::size_t lef
 constexpr std::size_t nobody = pipe_blocks;
 
 /// Grains must be correlated over long ways for a pattern: S(k) above 1 by a fifth and by three
-/// errors.
+/// errors. Of its logarithm: S(k) of a cluster that grows or breaks up goes through decades, and
+/// its own error says nothing of how far it is from 1.
 bool has_pattern(const std::vector<FluxRegression>& blocks) {
-    constexpr double least_excess = 0.2, sigmas = 3;
-    const auto excess = [&](std::size_t left_out) {
+    constexpr double least = 1.2, sigmas = 3;
+    const auto log_structure = [&](std::size_t left_out) {
         const FluxRegression sum = sum_of(blocks, left_out);
-        return sum.density_density / sum.self;
+        return std::log(1 + sum.density_density / sum.self);
     };
     std::vector<double> without;
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        without.push_back(excess(b));
-    return excess(nobody) > std::max(least_excess, sigmas * jackknife_error(without));
+        without.push_back(log_structure(b));
+    return log_structure(nobody) > std::max(std::log(least), sigmas * jackknife_error(without));
 }
 
 /// Whether a pattern goes with the grains, by the 95 % interval of V_w/V: an interval too wide to

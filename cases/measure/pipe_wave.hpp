@@ -25,9 +25,8 @@ struct PipeWaveOptions {
 /// - `overlap_wave_fraction`: share of the parts whose own shifts lie on a line;
 /// - `overlap_velocity`; absent without a pattern or if the shifts of the whole run lie on no line;
 /// - `wave_over_speed`: overlap_velocity/V; `wave_over_flux_slope`: overlap_velocity/(dJ/drho);
-/// - `flux_slope`: dJ/drho, setting wavelength_min; only of a pattern: S(k) of those waves is above
-/// 1
-///   by a fifth and by three errors, on average;
+/// - `flux_slope`: dJ/drho, setting wavelength_min; only of a pattern: S(k) of those waves, on
+///   average, is above 1 by a fifth and by three errors of its logarithm;
 /// - `wave_velocity`: from the frequency at which the strongest of the modes 1 to 7 turns; error
 ///   from the scatter of the quarters' peaks, systematic half a frequency step; settings k and
 ///   peak_ratio. Absent without a peak, or if the frames are too far apart (finding "sampling").

@@ -213,6 +213,52 @@ BOOST_AUTO_TEST_CASE(text_and_json_say_the_same) {
     BOOST_TEST(json.at("rows").at(0).at("cells").at(1).at("value") == 1.9);
 }
 
+BOOST_AUTO_TEST_CASE(figures_hold_the_mean_of_series_and_measurements_over_a_sweep) {
+    const auto run = [](std::int64_t replica, double y, double last_x = 2) {
+        auto record = run_of("a", first, 1.3 + y, 0.1);
+        record.replica = replica;
+        record.results.series = {{.name = "wall",
+                                  .columns = {"x", "y", "iteration"},
+                                  .values = {{1, last_x, 1}, {y, 2 * y, 9}, {100, 100, 50}}}};
+        return record;
+    };
+    const auto figures = [](std::vector<store::RunRecord> records) {
+        std::vector<app::CaseReport> cases;
+        cases.push_back(report_of(std::move(records)));
+        const auto one = phenomenon(R"([[figure]]
+title = "t"
+x = "x axis"
+y = "y axis"
+curve = [
+  { title = "series", case = "small-sweep", code = "a", variant = "verlet-half-step/dt=0.001", series = "wall", x = "x", y = "y", where = { iteration = 100 } },
+  { title = "sweep", case = "small-sweep", code = "a", observable = "ratio", along = "dt" },
+  { title = "not run", case = "small-sweep", code = "b", observable = "ratio", along = "dt" },
+]
+)");
+        return app::fill_figures(one, cases);
+    };
+    auto other = run_of("a", second, 1.7, 0.1);
+    auto more = other;
+    more.replica = 1;
+    const auto found = figures({run(0, 3), run(1, 5), other, more});
+    BOOST_TEST_REQUIRE(found.size() == 1U);
+    BOOST_TEST_REQUIRE(found[0].curves.size() == 2U);  // code b has no points
+    const auto& series = found[0].curves[0];
+    BOOST_TEST(series.x == (std::vector<double>{1, 2}), boost::test_tools::per_element());
+    BOOST_TEST(series.y == (std::vector<double>{4, 8}), boost::test_tools::per_element());
+    BOOST_TEST(series.standard_error == (std::vector<double>{1, 2}),
+               boost::test_tools::per_element());
+    const auto& over_sweep = found[0].curves[1];
+    BOOST_TEST(over_sweep.x == (std::vector<double>{0.001, 0.002}),
+               boost::test_tools::per_element());
+    BOOST_TEST(over_sweep.y[1] == 1.7);
+    // Replicas with other abscissas are no mean; the first one stands.
+    const auto unlike = figures({run(0, 3), run(1, 5, 7), other, more});
+    BOOST_TEST(unlike[0].curves[0].y == (std::vector<double>{3, 6}),
+               boost::test_tools::per_element());
+    BOOST_TEST(figures({run_of("c", first, 1, 1)}).empty());
+}
+
 BOOST_AUTO_TEST_CASE(fits_over_variants_are_measurements_of_the_case) {
     // Four steps would be needed for most laws; three points of an exact power law here.
     auto the_case = std::make_shared<catalog::Case>(*sweep());
@@ -266,6 +312,14 @@ BOOST_AUTO_TEST_CASE(the_phenomena_that_ship_name_cases_variants_and_references_
         for (const auto& needed : one.cases()) {
             cases.emplace(needed, catalog::find_case(catalog_directory.string(), needed,
                                                      catalog::Suite::full));
+        }
+        for (const auto& figure : one.figures) {
+            for (const auto& curve : figure.curves) {
+                if (curve.series.empty()) continue;
+                BOOST_TEST(std::ranges::count(cases.at(curve.case_name).variants, curve.variant,
+                                              &catalog::Variant::name) == 1,
+                           curve.case_name << " has no variant " << curve.variant);
+            }
         }
         for (const auto& row : one.rows) {
             for (const auto& column : one.columns) {

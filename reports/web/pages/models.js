@@ -155,7 +155,12 @@ window.crossgrain = window.crossgrain || {};
         el("h3", {}, item.title),
         item.text ? el("p", { class: "note" }, item.text) : null,
         rows.length > 0
-          ? [modelsTable(item, rows), differences(rows), sideBySide(item, report)]
+          ? [
+              modelsTable(item, rows),
+              differences(rows),
+              crossgrain.modelsFigures(item),
+              sideBySide(item, report),
+            ]
           : missing("No run of its cases in this store: crossgrain run " + casesOf(item).join(" ") + "."),
       ];
     });

@@ -172,3 +172,20 @@ BOOST_AUTO_TEST_CASE(an_iteration_that_is_no_frame_is_refused) {
     BOOST_CHECK_THROW(measure::HopperStagnation(sweep(1), {.at = {75}}), std::invalid_argument);
     BOOST_CHECK_THROW(measure::HopperStagnation(sweep(1), {.at = {150}}), std::invalid_argument);
 }
+
+// Walls reach 0.9 P and 1.1 P with P = 0.5: all have moved up to 0.45, half of them up to 0.55.
+BOOST_AUTO_TEST_CASE(the_profile_of_the_wall_is_the_share_that_moved_at_a_height) {
+    measure::HopperStagnationOptions options;
+    options.profile_at = 60;
+    const auto half = [](double, int, std::int64_t) { return 0.5; };
+    const auto results = run(sweep(4), half, options);
+    const auto moved = column(results, "wall-profile", "moved");
+    BOOST_TEST_REQUIRE(moved.size() == 100U);
+    BOOST_TEST(column(results, "wall-profile", "height")[44] == 0.45);
+    BOOST_TEST(moved[43] == 1.0);
+    BOOST_TEST(moved[45] == 0.5);
+    BOOST_TEST(moved[55] == 0.0);
+    BOOST_TEST(column(results, "wall-profile", "standard_error")[43] == 0.0);
+    options.profile_at = 95;
+    BOOST_CHECK_THROW(run(sweep(4), half, options), std::invalid_argument);
+}

@@ -45,6 +45,17 @@ BOOST_AUTO_TEST_CASE(three_velocities_of_a_known_wave) {
     }
 }
 
+// A cluster's S(k) may grow by decades in a run. Its error is then as large as S(k) itself, and yet
+// nobody doubts the cluster; a pattern in one part of the run only is another matter.
+BOOST_AUTO_TEST_CASE(a_growing_cluster_is_a_pattern_and_a_passing_one_is_none) {
+    const PipeWaveSpec steady{.shape = cosine_wave(0.9), .diffusion = 0.5};
+    PipeWaveSpec growing = steady, passing = steady;
+    growing.following = [](double t) { return 0.06 * std::exp2(t / 125); };
+    passing.following = [](double t) { return t > 440 ? 1.0 : 0.0; };
+    BOOST_TEST(find(wave(growing), "flux_slope") != nullptr);
+    BOOST_TEST(find(wave(passing), "flux_slope") == nullptr);
+}
+
 BOOST_AUTO_TEST_CASE(the_second_harmonic_of_a_long_pipe) {
     const auto results = wave({.velocity = 12, .shape = cosine_wave(0.6, 2), .diffusion = 1.5},
                               pipe_scene(840, 440));

@@ -50,6 +50,8 @@ struct PipeWaveSpec {
     std::function<double(double)> shape = [](double) { return 1.0; };
     double thermal = 0;    ///< standard deviation of each component of the velocities' noise
     double diffusion = 0;  ///< random step of a grain per frame (l)
+    /// Share of the grains that follow the pattern at time t; the others are anywhere.
+    std::function<double(double)> following = [](double) { return 1.0; };
     std::uint64_t seed = 1;
 };
 
@@ -117,6 +119,9 @@ class SyntheticPipe {
             const auto noise = normal_pair(spec_.seed, RandomStream::initial_velocity, n);
             const double u = spec_.velocity + (spec_.speed - spec_.velocity) / shape(xi);
             y_[i] = -(xi * length + spec_.velocity * t);
+            if (static_cast<double>(i) >= spec_.following(t) * static_cast<double>(x_.size())) {
+                y_[i] = length * uniform(spec_.seed, RandomStream::signal, n);
+            }
             vx_[i] = spec_.thermal * noise[0];
             vy_[i] = -u + spec_.thermal * noise[1];
             omega_[i] = i % 2 == 0 ? 3 : -1;

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
+import { phenomenaChecks } from "./check_phenomena.mjs";
 import { assertNoOverflow, assertQuiet, greenElements } from "./page_probes.mjs";
 
 const part = (page, name) => page.locator(`.case-part[data-case="${name}"]`);
@@ -183,6 +184,7 @@ export async function modelChecks(check, open, report) {
   await checkPictures(check, page, report);
   await checkFindings(check, page, report);
   await checkSeries(check, page);
+  await phenomenaChecks(check, page);
   await check("states are not green, in both themes", async () => {
     for (const colorScheme of ["light", "dark"]) {
       await page.emulateMedia({ colorScheme });

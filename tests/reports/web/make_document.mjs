@@ -11,6 +11,7 @@ import { certificate } from "./make_certificate.mjs";
 import { absentRun, codes, versions } from "./make_entries.mjs";
 import { historySeries } from "./make_history.mjs";
 import { manyCases, modelCases } from "./make_models.mjs";
+import { attribution, phenomena } from "./make_phenomena.mjs";
 
 function codeEntry(code) {
   const all = ["full damping", "normal damping", "clipping", "spins", "lids"];
@@ -81,7 +82,11 @@ function broken() {
 }
 
 const withCases = (cases) => ({ ...rich(), cases, certificate: { pairs: [] }, history: { series: [] } });
-const models = () => withCases(modelCases());
+const models = () => ({
+  ...withCases(modelCases()),
+  phenomena: phenomena(),
+  attribution: attribution(),
+});
 const many = () => withCases(manyCases(40, ["P", "D", "M", "std"], 6));
 
 const [kind, out] = process.argv.slice(2);
