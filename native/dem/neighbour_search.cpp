@@ -24,7 +24,7 @@ class Search {
                       std::size_t first)
         : cells_(cells), numbers_(found.neighbours.data() + first),
           distances_(found.distances_squared.data() + first),
-          grain_(hn::Set(DI(), static_cast<std::uint32_t>(grain))),
+          grain_(hn::Set(DI(), static_cast<std::uint32_t>(grain))), lane_(hn::Iota(DI(), 0)),
           y_(hn::Set(D(), cells.y[grain])), range_limit_(hn::Set(D(), cells.range_squared)),
           near_limit_(hn::Set(D(), cells.near_squared)) {}
 
@@ -38,7 +38,8 @@ class Search {
             const auto dx = hn::Sub(hn::Set(d, x), hn::LoadU(d, cells_.x.data() + j));
             const auto dy = hn::Sub(y_, hn::LoadU(d, cells_.y.data() + j));
             const auto r_squared = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
-            const auto numbers = hn::Iota(di, static_cast<std::uint32_t>(j));
+            // Not Iota of j, which some versions put together in memory, number by number.
+            const auto numbers = hn::Add(lane_, hn::Set(di, static_cast<std::uint32_t>(j)));
             const auto within = hn::And(hn::FirstN(d, end - j),
                                         hn::And(hn::Lt(r_squared, range_limit_),
                                                 hn::RebindMask(d, hn::Ne(numbers, grain_))));
@@ -58,7 +59,7 @@ class Search {
     const CellView& cells_;
     std::uint32_t* HWY_RESTRICT numbers_;
     float* HWY_RESTRICT distances_;
-    hn::Vec<DI> grain_;
+    hn::Vec<DI> grain_, lane_;
     hn::Vec<D> y_, range_limit_, near_limit_;
 };
 

@@ -23,6 +23,7 @@ std::size_t Scan(const SortedDiscs& discs, const Seeker& seeker, std::size_t beg
     };
     const auto own_margin = hn::Set(d, seeker.margin);
     const auto own_place = hn::Set(d, static_cast<double>(seeker.place));
+    const auto lane = hn::Iota(d, 0.0);  // some versions put it together in memory: only once
     std::size_t count = 0;
     for (std::size_t q = begin; q < end; q += hn::Lanes(d)) {
         const auto dx = beyond(seeker.x, seeker.margin_x, discs.x, discs.margin_x, q);
@@ -31,7 +32,8 @@ std::size_t Scan(const SortedDiscs& discs, const Seeker& seeker, std::size_t beg
             hn::Add(hn::Set(d, seeker.radius), hn::LoadU(d, discs.radius.data() + q));
         const auto near = hn::Lt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(reach, reach));
         const auto margin = hn::LoadU(d, discs.margin.data() + q);
-        const auto earlier = hn::Lt(hn::Iota(d, static_cast<double>(q)), own_place);
+        const auto place = hn::Add(lane, hn::Set(d, static_cast<double>(q)));
+        const auto earlier = hn::Lt(place, own_place);
         const auto mine =
             hn::Or(hn::Lt(margin, own_margin), hn::And(hn::Eq(margin, own_margin), earlier));
         std::uint8_t bits[8] = {};
