@@ -8,6 +8,7 @@
 #include "app/bench_programs.hpp"
 #include "app/bench_round.hpp"
 #include "native/base/cpu_time.hpp"
+#include "native/base/instruction_sets.hpp"
 #include "native/dem/engine.hpp"
 
 #include <fmt/format.h>
@@ -62,17 +63,29 @@ Contender native(const dem::State& s, std::string name, dem::Kernel kernel,
             share};
 }
 
+/// The same as on a machine without AVX-512.
+Contender without_avx512(Contender contender) {
+    contender.name += ", AVX2";
+    contender.run = [run = std::move(contender.run)](std::int64_t steps) {
+        const WithoutAvx512 older;
+        return run(steps);
+    };
+    return contender;
+}
+
 constexpr const char* native_double = "native double";
 constexpr const char* native_mixed = "native mixed";
 
 void promise_over_lammps(BenchReport& report, std::size_t grains) {
     const auto* lammps_row = find(report, "lammps", grains);
-    const auto* mixed = find(report, native_mixed, grains);
-    const bool avx512 = mixed && mixed->details.at("kernel").find("AVX3") != std::string::npos;
-    promise(report, fmt::format("native double over LAMMPS, N = {}", grains),
-            find(report, native_double, grains), lammps_row, avx512 ? 9 : 6);
-    promise(report, fmt::format("native mixed over LAMMPS, N = {}", grains), mixed, lammps_row,
-            avx512 ? 15 : 9);
+    const auto promise_of = [&](const std::string& name, double at_least) {
+        promise(report, fmt::format("{} over LAMMPS, N = {}", name, grains),
+                find(report, name, grains), lammps_row, at_least);
+    };
+    promise_of(native_double, has_avx512() ? 9 : 6);
+    promise_of(native_mixed, has_avx512() ? 15 : 9);
+    promise_of(std::string(native_double) + ", AVX2", 6);
+    promise_of(std::string(native_mixed) + ", AVX2", 9);
 }
 
 void bench_bed(const BenchOptions& options, const dem::State& state, std::int64_t steps, int turns,
@@ -84,6 +97,11 @@ void bench_bed(const BenchOptions& options, const dem::State& state, std::int64_
     round.add(native(state, "native double, frames", dem::Kernel::simd, double_precision, 1, 100));
     round.add(native(state, "native mixed, frames", dem::Kernel::simd, mixed, 1, 100));
     round.add(native(state, "native scalar", dem::Kernel::scalar, double_precision, 1, 0, 0.3));
+    if (has_avx512()) {
+        round.add(
+            without_avx512(native(state, native_double, dem::Kernel::simd, double_precision)));
+        round.add(without_avx512(native(state, native_mixed, dem::Kernel::simd, mixed)));
+    }
     add_programs(
         round, options, [&](std::int64_t n) { return scene_of(state, n); }, report);
     round.run(frequency, report);

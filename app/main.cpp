@@ -133,7 +133,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     auto* bench = add("bench", "speed side by side, in one run", [](Arguments& x, auto stop) {
         return app::run_benches(x.settings, x.benches, x.quick_bench, std::move(stop));
     });
-    bench->add_option("NAME", a.benches, "lga, hopper, dem (default: all)");
+    bench->add_option("NAME", a.benches, "lga, hopper, dem, dem-friction (default: all)");
     bench->add_flag("--quick", a.quick_bench, "shorter runs, figures are less certain");
     auto* stability =
         add("stability", "where methods stop working",

@@ -2,6 +2,7 @@
 // precision, to a documented bound in mixed precision, whatever the number of threads and however
 // often one looks.
 #include "native/base/errors.hpp"
+#include "native/base/instruction_sets.hpp"
 #include "tests/native/dem/systems.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -138,6 +139,20 @@ BOOST_AUTO_TEST_CASE(every_instruction_set_of_this_machine_keeps_the_bounds) {
     }
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+BOOST_AUTO_TEST_CASE(a_machine_without_avx512_can_be_played) {
+    const bool before = has_avx512();
+    auto p = bed_parameters(law_variants[0], dem::Scheme::verlet_predicted);
+    p.kernel = dem::Kernel::simd;
+    {
+        const WithoutAvx512 older;
+        BOOST_TEST(!has_avx512());
+        if (dem::why_not_simd(p, bed())) return;
+        BOOST_TEST(dem::Engine(p, bed()).effort().kernel.find("AVX3") == std::string::npos);
+    }
+    BOOST_TEST(has_avx512() == before);
+    BOOST_TEST((dem::Engine(p, bed()).effort().kernel.find("AVX3") != std::string::npos) == before);
 }
 
 BOOST_AUTO_TEST_CASE(every_kind_of_boundary_is_that_of_the_scalar_kernel) {
