@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "native/dem/simd_lanes-inl.hpp"
+#include "native/dem/simd_reciprocal_root-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace crossgrain::dem {

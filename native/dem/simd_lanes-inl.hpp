@@ -51,59 +51,6 @@ HWY_INLINE hn::Vec<D> LoadBlocks(D d, const std::uint8_t* HWY_RESTRICT base,
     }
 }
 
-/// 1/sqrt(v) = guess + correction, where the guess has some bits and the correction the others;
-/// no numbers for v = 0. They are apart because what is made of them goes on with the guess while
-/// the correction is still being computed.
-template <class D>
-class ReciprocalRoot {
-    using T = hn::TFromD<D>;
-
-  public:
-    HWY_INLINE explicit ReciprocalRoot(hn::Vec<D> v) : guess_(Guess(v)), share_(Share(v, guess_)) {}
-
-    /// a/sqrt(v) - b
-    [[nodiscard]] HWY_INLINE hn::Vec<D> TimesLess(hn::Vec<D> a, hn::Vec<D> b) const {
-        return hn::MulAdd(hn::Mul(guess_, a), share_, hn::MulSub(guess_, a, b));
-    }
-    [[nodiscard]] HWY_INLINE hn::Vec<D> Value() const { return hn::MulAdd(guess_, share_, guess_); }
-
-  private:
-    static HWY_INLINE hn::Vec<D> Guess(hn::Vec<D> v) {
-        if constexpr (std::is_same_v<T, float>) {
-            return hn::ApproximateReciprocalSqrt(v);
-        } else {
-#if HWY_TARGET <= HWY_AVX3
-            return hn::Vec<D>{_mm512_rsqrt14_pd(v.raw)};
-#else
-            const D d;
-            const hn::Rebind<float, D> narrow;
-            const auto half = hn::Set(d, 0.5);
-            const auto guess =
-                hn::PromoteTo(d, hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, v)));
-            // Newton: guess (1 + (1 - v guess^2)/2) has twice as many good bits.
-            const auto half_residual = hn::NegMulAdd(hn::Mul(v, half), hn::Mul(guess, guess), half);
-            return hn::MulAdd(guess, half_residual, guess);
-#endif
-        }
-    }
-    /// With h = 1 - v guess^2: 1/sqrt(v) = guess (1 - h)^(-1/2)
-    ///                                   = guess (1 + h/2 + 3 h^2/8 + 5 h^3/16 + ...).
-    static HWY_INLINE hn::Vec<D> Share(hn::Vec<D> v, hn::Vec<D> guess) {
-        const D d;
-        const auto half = hn::Set(d, T(0.5));
-        const auto squared = hn::Mul(guess, guess);
-        if constexpr (std::is_same_v<T, float>) {
-            return hn::NegMulAdd(hn::Mul(v, half), squared, half);
-        } else {
-            const auto h = hn::NegMulAdd(v, squared, hn::Set(d, 1.0));
-            const auto tail = hn::MulAdd(h, hn::Set(d, 5.0 / 16), hn::Set(d, 3.0 / 8));
-            return hn::Mul(h, hn::MulAdd(h, tail, half));
-        }
-    }
-
-    hn::Vec<D> guess_, share_;  ///< correction = guess share
-};
-
 /// The grains of a group. Which lane holds which grain, GroupShape::place_of_lane tells: records
 /// are transposed within blocks of 128 bits only.
 template <class Format>
