@@ -111,8 +111,9 @@ struct StepTask {
                             ///< between two calls
     Real* own_y = nullptr;
     std::size_t first_group = 0, last_group = 0;
-    std::size_t grains = 0;  ///< without padding
-    std::size_t ahead = 0;   ///< records so far ahead are called for; none if it is `grains`
+    std::size_t grains = 0;    ///< without padding
+    std::size_t ahead = 0;     ///< records so far ahead are called for; none if it is `grains`
+    bool past_caches = false;  ///< records are stored so
     float closed = 0;  ///< gaps of up to so much may have closed since the list was made (length)
     typename Format::Position bottom = 0;  ///< touches a grain whose y is below
     typename Format::Position lid = 0;     ///< touches a grain whose y is above

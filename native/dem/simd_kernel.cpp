@@ -29,6 +29,9 @@ constexpr std::size_t grains_per_thread = 4096;
 constexpr std::size_t fits_in_cache = 512 * 1024;
 constexpr std::size_t grains_ahead = 1024;
 
+/// From here on no cache keeps the records until the next step.
+constexpr std::size_t fits_in_no_cache = 16 * 1024 * 1024;
+
 int useful_threads(const Parameters& p, std::size_t grains) {
     const std::size_t most = std::max<std::size_t>(grains / grains_per_thread, 1);
     return static_cast<int>(std::min(static_cast<std::size_t>(std::max(p.threads, 1)), most));
@@ -105,6 +108,7 @@ void SimdKernel<Format>::run(Function function, Records<Format>& out) {
                           .grains = grains_,
                           .ahead =
                               grains_ * sizeof(Record) > fits_in_cache ? grains_ahead : grains_,
+                          .past_caches = grains_ * sizeof(Record) > fits_in_no_cache,
                           .closed = closed(),
                           .lid_overlap = lid_overlap_.data(),
                           .drift_x = drift_x_,

@@ -51,6 +51,17 @@ HWY_INLINE hn::Vec<D> LoadBlocks(D d, const std::uint8_t* HWY_RESTRICT base,
     }
 }
 
+/// Stores past the caches: what is next read after a whole pass over more than they hold need not
+/// be fetched to be overwritten, nor push out what is read meanwhile.
+template <bool past_caches, class D>
+HWY_INLINE void Store(hn::Vec<D> v, D d, hn::TFromD<D>* HWY_RESTRICT aligned) {
+    if constexpr (past_caches) {
+        hn::Stream(v, d, aligned);
+    } else {
+        hn::StoreU(v, d, aligned);
+    }
+}
+
 /// The grains of a group. Which lane holds which grain, GroupShape::place_of_lane tells: records
 /// are transposed within blocks of 128 bits only.
 template <class Format>
@@ -130,6 +141,7 @@ struct Lanes<MixedFormat> {
         vy = g.Vy();
     }
 
+    template <bool past_caches = false>
     HWY_INLINE void StoreGroup(MixedFormat::Record* HWY_RESTRICT first) const {
         const D d;
         const Pairs pairs;
@@ -140,7 +152,7 @@ struct Lanes<MixedFormat> {
         const auto v01 = hn::BitCast(pairs, hn::InterleaveLower(d, vx, vy));
         const auto v23 = hn::BitCast(pairs, hn::InterleaveUpper(d, vx, vy));
         const auto store = [&](hn::Vec<Pairs> records, std::size_t k) HWY_ATTR {
-            hn::StoreU(hn::BitCast(d, records), d, numbers + k * hn::Lanes(d));
+            Store<past_caches>(hn::BitCast(d, records), d, numbers + k * hn::Lanes(d));
         };
         store(hn::InterleaveLower(pairs, xy01, v01), 0);
         store(hn::InterleaveUpper(pairs, xy01, v01), 1);
@@ -213,15 +225,16 @@ struct Lanes<DoubleFormat> {
         vy = hn::InterleaveUpper(d, v0, v1);
     }
 
+    template <bool past_caches = false>
     HWY_INLINE void StoreGroup(DoubleFormat::Record* HWY_RESTRICT first) const {
         const D d;
         auto* numbers = reinterpret_cast<double*>(first);
         const auto xy0 = hn::InterleaveLower(d, x, y), xy1 = hn::InterleaveUpper(d, x, y);
         const auto v0 = hn::InterleaveLower(d, vx, vy), v1 = hn::InterleaveUpper(d, vx, vy);
-        hn::StoreU(LowerBlocks(xy0, v0), d, numbers);
-        hn::StoreU(UpperBlocks(xy0, v0), d, numbers + hn::Lanes(d));
-        hn::StoreU(LowerBlocks(xy1, v1), d, numbers + 2 * hn::Lanes(d));
-        hn::StoreU(UpperBlocks(xy1, v1), d, numbers + 3 * hn::Lanes(d));
+        Store<past_caches>(LowerBlocks(xy0, v0), d, numbers);
+        Store<past_caches>(UpperBlocks(xy0, v0), d, numbers + hn::Lanes(d));
+        Store<past_caches>(LowerBlocks(xy1, v1), d, numbers + 2 * hn::Lanes(d));
+        Store<past_caches>(UpperBlocks(xy1, v1), d, numbers + 3 * hn::Lanes(d));
     }
 
     static HWY_INLINE V Difference(P a, P b) { return hn::Sub(a, b); }

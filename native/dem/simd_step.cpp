@@ -211,8 +211,13 @@ void ForceStep(const StepTask<typename Kind::Format>& given) {
             i.vx = vx;
             i.vy = vy;
         }
-        i.StoreGroup(task.out + first);
+        if (task.past_caches) {
+            i.template StoreGroup<true>(task.out + first);
+        } else {
+            i.StoreGroup(task.out + first);
+        }
     }
+    if (task.past_caches) hwy::FlushStream();
     watch.Tell();
     *task.rows += looked_at;
 }
