@@ -1,9 +1,9 @@
 #include "app/documents.hpp"
 
-#include "app/attribution.hpp"
-#include "app/catalogue.hpp"
-#include "app/compare_summary.hpp"
-#include "app/models_table.hpp"
+#include "app/catalogue/catalogue.hpp"
+#include "app/evaluate/attribution.hpp"
+#include "app/evaluate/compare_summary.hpp"
+#include "app/models/models_table.hpp"
 #include "reference/compare/parity.hpp"
 #include "reference/compare/student.hpp"
 #include "reports/store/results_json.hpp"

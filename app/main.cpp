@@ -1,5 +1,5 @@
 // The command line. Errors become one line on stderr and an exit code.
-#include "app/commands.hpp"
+#include "app/commands/commands.hpp"
 #include "app/session.hpp"
 #include "native/base/errors.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/preparation.hpp"
 
-#include "app/catalogue.hpp"
+#include "app/catalogue/catalogue.hpp"
 #include "app/digest.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/scene_json.hpp"

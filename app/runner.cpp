@@ -1,7 +1,7 @@
 #include "app/runner.hpp"
 
-#include "app/estimators.hpp"
-#include "app/expected_cost.hpp"
+#include "app/catalogue/estimators.hpp"
+#include "app/chart/expected_cost.hpp"
 #include "app/model_runs.hpp"
 #include "app/preparation.hpp"
 #include "app/progress.hpp"

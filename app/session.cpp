@@ -1,7 +1,7 @@
 #include "app/session.hpp"
 
-#include "app/catalogue.hpp"
-#include "app/compare_summary.hpp"
+#include "app/catalogue/catalogue.hpp"
+#include "app/evaluate/compare_summary.hpp"
 #include "app/model_runs.hpp"
 #include "app/plan.hpp"
 #include "app/runner.hpp"

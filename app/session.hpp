@@ -1,8 +1,8 @@
 // One call over some cases: plan, run (or read from the store), evaluate, record, exit code.
 #pragma once
 
-#include "app/case_runs.hpp"
-#include "app/evaluate.hpp"
+#include "app/evaluate/case_runs.hpp"
+#include "app/evaluate/evaluate.hpp"
 #include "app/settings.hpp"
 #include "reports/store/store.hpp"
 

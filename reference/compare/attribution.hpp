@@ -8,7 +8,7 @@
 //   v(0).
 #pragma once
 
-#include "cases/measure/mean_with_error.hpp"
+#include "cases/measure/statistics/mean_with_error.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #include "reference/compare/bootstrap.hpp"
 
-#include "cases/measure/mean_with_error.hpp"
+#include "cases/measure/statistics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "reference/compare/model_bias.hpp"
 
-#include "cases/measure/mean_with_error.hpp"
+#include "cases/measure/statistics/mean_with_error.hpp"
 #include "reference/compare/student.hpp"
 
 #include <fmt/format.h>

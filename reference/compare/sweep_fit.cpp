@@ -1,6 +1,6 @@
 #include "reference/compare/sweep_fit.hpp"
 
-#include "cases/measure/jackknife.hpp"
+#include "cases/measure/statistics/jackknife.hpp"
 #include "reference/compare/line_fit.hpp"
 
 #include <boost/math/tools/minima.hpp>

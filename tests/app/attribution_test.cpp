@@ -1,6 +1,6 @@
 // Protects the attribution of differences between codes to their conventions of friction: made-up
 // runs of the shipped case, in which every switch has a known effect.
-#include "app/attribution.hpp"
+#include "app/evaluate/attribution.hpp"
 
 #include "cases/catalog/case.hpp"
 

@@ -1,7 +1,7 @@
 // Speed against accuracy: start-up, the front, and how many runs are enough.
-#include "app/advise.hpp"
-#include "app/chart.hpp"
-#include "app/chart_document.hpp"
+#include "app/chart/advise.hpp"
+#include "app/chart/chart.hpp"
+#include "app/chart/chart_document.hpp"
 #include "native/base/errors.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -1,6 +1,6 @@
 // Protects what is said over all cases: corrected verdicts, bias and deviation by code, and who was
 // compared with whom. The verdicts are made up, so that every answer is known.
-#include "app/compare_summary.hpp"
+#include "app/evaluate/compare_summary.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Protects the certificate: a defect in the input of one code only must be found. Each real code
 // runs the scene with one planted defect against the native engine with the scene as it is.
-#include "app/catalogue.hpp"
-#include "app/evaluate.hpp"
+#include "app/catalogue/catalogue.hpp"
+#include "app/evaluate/evaluate.hpp"
 #include "app/plan.hpp"
 #include "app/runner.hpp"
 #include "tests/support/temporary_directory.hpp"

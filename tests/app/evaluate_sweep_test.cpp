@@ -1,6 +1,6 @@
 // Protects the judge over the variants of a sweep: trends, pairs of variants, expectations by
 // variant. The runs are made up, so that every answer is known.
-#include "app/evaluate.hpp"
+#include "app/evaluate/evaluate.hpp"
 
 #include "cases/catalog/case.hpp"
 #include "tests/support/temporary_directory.hpp"

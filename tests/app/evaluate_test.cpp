@@ -1,6 +1,6 @@
 // Protects the judge: what a case's checks say of given runs. The runs are made up, so that every
 // answer is known; no engine takes part.
-#include "app/evaluate.hpp"
+#include "app/evaluate/evaluate.hpp"
 
 #include "cases/catalog/case.hpp"
 

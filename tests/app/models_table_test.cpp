@@ -1,6 +1,6 @@
 // Protects the tables of models against molecular dynamics and the fits over variants. The runs are
 // made up, so that every answer is known.
-#include "app/models_table.hpp"
+#include "app/models/models_table.hpp"
 
 #include "native/base/errors.hpp"
 

@@ -1,6 +1,6 @@
 // Protects the catalogue: every oracle, code and observable named by a shipped case exists, and the
 // oracles give the known numbers for the shipped scenes.
-#include "app/catalogue.hpp"
+#include "app/catalogue/catalogue.hpp"
 #include "native/base/errors.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,7 +1,7 @@
 // Protects the selftest itself: it must see what is planted, blame the right one, say so when a
 // planted defect is missed or can no longer be planted, and count false alarms as such.
-#include "app/selftest.hpp"
-#include "app/selftest_culprit.hpp"
+#include "app/selftest/selftest.hpp"
+#include "app/selftest/selftest_culprit.hpp"
 #include "native/base/errors.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -1,6 +1,6 @@
 // The search for a largest stable time step, on a code whose threshold is known: what it finds,
 // that it ends, and that the store spares the next call.
-#include "app/stability_search.hpp"
+#include "app/stability/stability_search.hpp"
 #include "native/base/errors.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -2,8 +2,8 @@
 // lid passes h0 at known times.
 #pragma once
 
-#include "cases/measure/displacement_spectrum.hpp"
-#include "cases/measure/plate_motion.hpp"
+#include "cases/measure/bed/displacement_spectrum.hpp"
+#include "cases/measure/bed/plate_motion.hpp"
 #include "native/base/random.hpp"
 #include "tests/cases/measure/synthetic_frame.hpp"
 

@@ -1,7 +1,7 @@
 // One run of the energy balance on synthetic frames, with the contact law of e = 0.8, t_col = 0.1.
 #pragma once
 
-#include "cases/measure/energy_balance.hpp"
+#include "cases/measure/bed/energy_balance.hpp"
 #include "tests/cases/measure/synthetic_frame.hpp"
 
 #include <vector>

@@ -1,0 +1,162 @@
+// crossgrain write | read: hand a scene's inputs out, take trajectories made elsewhere in.
+#include "app/catalogue/catalogue.hpp"
+#include "app/catalogue/estimators.hpp"
+#include "app/commands/commands.hpp"
+#include "app/documents.hpp"
+#include "app/evaluate/evaluate.hpp"
+#include "app/model_runs.hpp"
+#include "app/plan.hpp"
+#include "app/preparation.hpp"
+#include "app/session.hpp"
+#include "app/tables.hpp"
+
+#include "adapters/dump/dump_reader.hpp"
+#include "cases/scene/frame_guard.hpp"
+#include "cases/toml/toml_table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace crossgrain::app {
+namespace {
+
+std::shared_ptr<const catalog::Case> the_one_case(const Settings& settings) {
+    if (settings.cases.size() != 1) {
+        throw CaseError({.problem = "needs one case",
+                         .got = fmt::format("{}", settings.cases.size()),
+                         .expected = "exactly one case"});
+    }
+    return selected_cases(settings).front();
+}
+
+std::size_t variant_index(const catalog::Case& the_case, const std::string& name) {
+    if (name.empty()) return 0;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < the_case.variants.size(); ++i) {
+        if (the_case.variants[i].name == name) return i;
+        names.push_back(the_case.variants[i].name);
+    }
+    const auto near = toml_input::nearest(name, names);
+    throw CaseError({.file = the_case.file,
+                     .key = "variant",
+                     .problem = "is not known",
+                     .got = fmt::format("'{}'", name),
+                     .expected = "a variant of the case",
+                     .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
+}
+
+/// Streams the dump through the same guard and the same estimators as any run.
+store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& request,
+                              std::size_t variant, const Settings& settings) {
+    const auto given = std::make_shared<const scene::AnyScene>(
+        the_case.scene(variant, request.rung - 1, settings.seed));
+    const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, {});
+    const auto& scene = std::get<scene::Scene>(*ready);
+    const auto estimators = make_estimators(the_case, scene);
+    scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
+        for (const auto& estimator : estimators)
+            estimator->add(frame);
+    });
+    store::RunRecord record{.case_name = the_case.name,
+                            .variant = the_case.variants[variant].name,
+                            .rung = request.rung - 1,
+                            .code = request.name,
+                            .version = "read from a dump",
+                            .seed = settings.seed,
+                            .created = store::utc_now()};
+    record.settings_json = nlohmann::json{{"dump", request.dump.string()}}.dump();
+    try {
+        adapters::dump::read_dump_file(request.dump, scene, std::ref(guard));
+        guard.finish();
+        for (const auto& estimator : estimators)
+            estimator->finish(record.results);
+        record.status = "ok";
+    } catch (const TrajectoryError& error) {
+        record.status = "run_failed";
+        record.reason = fmt::format("{}: {}", request.dump.string(), error.what());
+    }
+    return record;
+}
+
+}  // namespace
+
+int write_inputs(const Settings& settings, const std::filesystem::path& out) {
+    if (settings.codes.size() != 1) {
+        throw CaseError({.key = "--code",
+                         .problem = "is needed once",
+                         .got = fmt::format("{} codes", settings.codes.size()),
+                         .expected = "the code whose input to write"});
+    }
+    const auto the_case = the_one_case(settings);
+    int written = 0;
+    std::string refusal;
+    Preparations preparations = preparations_in(settings);
+    for (const auto& run : plan(*the_case, select_codes(settings.codes), settings)) {
+        if (const auto reason = cannot_express(*run.code, *run.scene)) {
+            fmt::print(stderr, "not_expressible: {}: {}\n", scene::name_of(*run.scene), *reason);
+            continue;
+        }
+        std::string name = fmt::format("{}-seed{}", scene::name_of(*run.scene), run.record.seed);
+        std::replace(name.begin(), name.end(), '/', '-');
+        std::filesystem::create_directories(out / name);
+        const auto ready = preparations.prepared(run.scene, run.time_limit, {});
+        for (const auto& file : input_of(*run.code, *ready)) {
+            std::ofstream stream(out / name / file.name);
+            stream << file.text;
+            if (!stream.flush()) {
+                throw CaseError({.file = (out / name / file.name).string(),
+                                 .problem = "cannot be written",
+                                 .expected = "a directory with room in it"});
+            }
+        }
+        fmt::print("{}\n", (out / name).string());
+        ++written;
+    }
+    return written > 0 ? exit_ok : exit_run_failed;
+}
+
+int read_dump(const Settings& settings, const ReadRequest& request) {
+    const auto the_case = the_one_case(settings);
+    if (the_case->model != "grains") {
+        throw CaseError({.file = the_case->file,
+                         .key = "read",
+                         .problem = fmt::format("is a case of a {}", the_case->model),
+                         .expected = "a case of grains: only these have dumps"});
+    }
+    const std::size_t variant = variant_index(*the_case, request.variant);
+    if (request.rung < 1 || request.rung > the_case->variants[variant].rungs) {
+        throw CaseError({.key = "--rung",
+                         .problem = "is out of range",
+                         .got = std::to_string(request.rung),
+                         .expected = fmt::format("1 to {}", the_case->variants[variant].rungs)});
+    }
+    store::Store store(settings.results);
+    // The other codes' runs of the same scene, as far as the store has them, to compare with.
+    Settings stored = settings;
+    stored.codes.clear();
+    auto session = run_session(stored, store, {}, false);
+    std::vector<store::RunRecord> records{measure_dump(*the_case, request, variant, settings)};
+    const bool failed = records.front().status != "ok";
+    for (const auto& run : session.cases.front().runs.records()) {
+        const bool sibling = run.status == "ok" && run.variant == records.front().variant;
+        if (sibling && run.code != request.name) records.push_back(run);
+    }
+    const published::PublishedValues literature(share_directory() / "published");
+    CaseRuns runs(*the_case, std::move(records));
+    Evaluation evaluation = evaluate(runs, literature);
+    std::erase_if(evaluation.verdicts, [&](const compare::Verdict& v) {
+        return v.code != request.name && v.against != request.name;
+    });
+    SessionReport report{.cases = {{the_case, std::move(runs), std::move(evaluation)}}};
+    if (settings.json) {
+        fmt::print("{}\n", cases_document(report).dump(2));
+    } else {
+        fmt::print("{}\n{}", case_table(report.cases.front()), exceptions_list(report));
+    }
+    return failed ? exit_run_failed : exit_code(report, settings);
+}
+
+}  // namespace crossgrain::app

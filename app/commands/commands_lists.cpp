@@ -1,0 +1,84 @@
+// crossgrain codes | cases | observables: what is there.
+#include "app/catalogue/catalogue.hpp"
+#include "app/commands/commands.hpp"
+#include "app/documents.hpp"
+#include "app/session.hpp"
+#include "app/text_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace crossgrain::app {
+
+int list_codes(const Settings& settings) {
+    const auto document = codes_document();
+    if (settings.json) {
+        fmt::print("{}\n", document.dump(2));
+        return exit_ok;
+    }
+    TextTable table({"code", "status", "version", "expresses"});
+    for (const auto& code : document["codes"]) {
+        bool first = true;
+        for (const std::string feature : code["expresses"]) {
+            table.add({first ? code["code"].get<std::string>() : "",
+                       first ? code["status"].get<std::string>() : "",
+                       first ? (code["status"] == "ok" ? code["version"].get<std::string>()
+                                                       : code["reason"].get<std::string>())
+                             : "",
+                       feature});
+            first = false;
+        }
+    }
+    fmt::print("{}", table.text(0));
+    return exit_ok;
+}
+
+int list_cases(const Settings& settings) {
+    const std::string directory = (share_directory() / "catalog").string();
+    nlohmann::json list = nlohmann::json::array();
+    TextTable table({"case", "suites", "title", "source"});
+    for (const auto& name : catalog::case_names(directory)) {
+        const auto found = catalog::find_case(directory, name, settings.suite);
+        nlohmann::json variants = nlohmann::json::array();
+        for (const auto& variant : found.variants)
+            variants.push_back(variant.name);
+        list.push_back({{"case", found.name},
+                        {"model", found.model},
+                        {"title", found.title},
+                        {"source", found.source},
+                        {"suites", found.suites},
+                        {"variants", std::move(variants)}});
+        table.add({found.name, fmt::format("{}", fmt::join(found.suites, ", ")), found.title,
+                   found.source});
+    }
+    if (settings.json) {
+        fmt::print("{}\n", nlohmann::json{{"cases", std::move(list)}}.dump(2));
+    } else {
+        fmt::print("{}", table.text(0));
+    }
+    return exit_ok;
+}
+
+int list_observables(const Settings& settings) {
+    nlohmann::json list = nlohmann::json::array();
+    TextTable table({"observable", "model", "measures", "options"});
+    for (const auto& entry : observable_texts()) {
+        list.push_back({{"observable", entry.name},
+                        {"model", entry.model},
+                        {"measures", entry.measures},
+                        {"options", entry.options}});
+        table.add({entry.name, entry.model, entry.measures,
+                   fmt::format("{}", fmt::join(entry.options, ", "))});
+    }
+    if (settings.json) {
+        fmt::print(
+            "{}\n",
+            nlohmann::json{{"observables", std::move(list)}, {"oracles", oracle_names()}}.dump(2));
+    } else {
+        fmt::print("{}\noracles: {}\n", table.text(0), fmt::join(oracle_names(), ", "));
+    }
+    return exit_ok;
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,224 @@
+// crossgrain run | compare | certify | validate | report | history.
+#include "adapters/process/find_program.hpp"
+#include "adapters/process/process.hpp"
+#include "app/commands/commands.hpp"
+#include "app/documents.hpp"
+#include "app/evaluate/attribution.hpp"
+#include "app/evaluate/compare_summary.hpp"
+#include "app/history.hpp"
+#include "app/models/models_table.hpp"
+#include "app/session.hpp"
+#include "app/tables.hpp"
+#include "reports/web/csv.hpp"
+#include "reports/web/junit.hpp"
+#include "reports/web/web_report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+
+namespace crossgrain::app {
+namespace {
+
+/// What happened besides the results, on stderr; and the exit code.
+int close_session(const SessionReport& report, const Settings& settings) {
+    std::fflush(stdout);  // where both go to one file, the results come first
+    if (!report.store_error.empty()) {
+        fmt::print(stderr, "error: {}; the results above are complete but not stored\n",
+                   report.store_error);
+    }
+    if (report.interrupted) {
+        fmt::print(stderr, "interrupted: {} runs are stored; the same command goes on from there\n",
+                   report.computed + report.from_store);
+    }
+    if (!settings.quiet) {
+        fmt::print(stderr, "{} runs computed, {} taken from {}\n", report.computed,
+                   report.from_store, settings.results.string());
+    }
+    return exit_code(report, settings);
+}
+
+void print_cases(const SessionReport& report, const Settings& settings) {
+    if (settings.json) {
+        fmt::print("{}\n", cases_document(report).dump(2));
+        return;
+    }
+    for (const auto& item : report.cases)
+        fmt::print("{}\n", case_table(item));
+    fmt::print("{}\n{}", verdict_table(report), exceptions_list(report));
+}
+
+/// Pages, JUnit XML and CSV below <results>/report.
+void write_report_files(const SessionReport& report, const store::Store& store,
+                        const Settings& settings) {
+    const auto document = report_document(report, history_of(store.history()), settings);
+    const auto directory = settings.results / "report";
+    reports::write_web_report(document, directory, share_directory() / "web");
+    const auto write = [&](const char* name, const std::string& text) {
+        std::ofstream out(directory / name);
+        out << text;
+        if (!out.flush()) {
+            throw std::system_error(errno, std::generic_category(), (directory / name).string());
+        }
+    };
+    write("junit.xml", reports::junit_xml(document));
+    write("measurements.csv", reports::measurements_csv(document));
+    write("verdicts.csv", reports::verdicts_csv(document));
+}
+
+/// Names of phenomena among those of cases.
+struct Compared {
+    std::vector<std::string> cases, phenomena;
+};
+Compared split_phenomena(const std::vector<std::string>& names) {
+    const auto known = phenomenon_names(phenomena_directory());
+    Compared compared;
+    for (const auto& name : names) {
+        const bool found = std::ranges::find(known, name) != known.end();
+        (found ? compared.phenomena : compared.cases).push_back(name);
+    }
+    return compared;
+}
+
+void open_in_browser(const std::filesystem::path& page) {
+    namespace process = adapters::process;
+    const bool shown = process::find_program("xdg-open") &&
+                       process::run({.argv = {"xdg-open", std::filesystem::absolute(page).string()},
+                                     .directory = page.parent_path(),
+                                     .time_limit = 30})
+                               .status == 0;
+    if (!shown) fmt::print(stderr, "no program is set up to open HTML pages here\n");
+}
+
+}  // namespace
+
+int run_cases(const Settings& settings, std::stop_token stop) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, std::move(stop), true);
+    print_cases(report, settings);
+    return close_session(report, settings);
+}
+
+int compare_cases(const Settings& settings) {
+    store::Store store(settings.results);
+    const auto [cases, phenomena] = split_phenomena(settings.cases);
+    nlohmann::json tables = nlohmann::json::array();
+    std::string text;
+    int code = exit_ok;
+    for (const auto& phenomenon : phenomena) {
+        const ModelsTable table = models_table(phenomenon, settings, store);
+        tables.push_back(json_of(table));
+        text += text_of(table) + "\n";
+    }
+    nlohmann::json document = {{"cases", nlohmann::json::array()}};
+    if (!cases.empty() || phenomena.empty()) {
+        Settings named = settings;
+        named.cases = cases;
+        const auto report = run_session(named, store, {}, false);
+        if (settings.json) {
+            document = cases_document(report);
+        } else {
+            print_cases(report, named);
+            fmt::print("\n{}", summary_tables(report));
+        }
+        code = close_session(report, named);
+    }
+    if (settings.json) {
+        if (!phenomena.empty()) document["phenomena"] = std::move(tables);
+        fmt::print("{}\n", document.dump(2));
+    } else {
+        fmt::print("{}", text);
+    }
+    return code;
+}
+
+int certify_cases(const Settings& settings, std::stop_token stop) {
+    Settings parity = settings;
+    if (parity.cases.empty()) {
+        parity.cases = {"gas-parity",
+                        "bed-parity",
+                        "collision-friction",
+                        "frozen-friction",
+                        "polydisperse-friction",
+                        "gas-friction"};
+        if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
+    }
+    store::Store store(settings.results);
+    const auto report = run_session(parity, store, std::move(stop), true);
+    if (settings.json) {
+        auto document = certificate_document(report);
+        document["attribution"] = attribution_document(report);
+        fmt::print("{}\n", document.dump(2));
+    } else {
+        const std::string certificate = certificate_table(report);
+        const std::string attribution = attribution_table(report);
+        const bool nothing = certificate.empty() && attribution.empty();
+        fmt::print("{}{}{}", nothing ? "no case with a parity check was selected\n" : certificate,
+                   exceptions_list(report), attribution);
+    }
+    return close_session(report, parity);
+}
+
+int validate(const Settings& settings, std::stop_token stop) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, std::move(stop), true);
+    print_cases(report, settings);
+    if (report.interrupted) return close_session(report, settings);
+    write_report_files(report, store, settings);
+    const int code = close_session(report, settings);
+    if (!settings.quiet) {
+        fmt::print(stderr, "report: {}\n", (settings.results / "report/index.html").string());
+    }
+    return code;
+}
+
+int write_report(const Settings& settings, bool open) {
+    store::Store store(settings.results);
+    const auto report = run_session(settings, store, {}, false);
+    write_report_files(report, store, settings);
+    const auto page = settings.results / "report/index.html";
+    fmt::print("{}\n", page.string());
+    if (open) open_in_browser(page);
+    return exit_ok;
+}
+
+namespace {
+
+int print_history(const Settings& settings, const std::vector<HistorySeries>& history) {
+    if (settings.json) {
+        fmt::print("{}\n", history_document(history).dump(2));
+    } else {
+        fmt::print("{}", history_table(history));
+    }
+    const bool drifts = std::ranges::any_of(
+        history, [](const auto& series) { return series.drift == Drift::left_band; });
+    return drifts ? exit_verdict : exit_ok;
+}
+
+}  // namespace
+
+int show_history(const Settings& settings) {
+    store::Store store(settings.results);
+    return print_history(settings, history_of(store.history()));
+}
+
+int show_regressions(const Settings& settings) {
+    store::Store store(settings.results);
+    auto history = history_of(store.history());
+    const auto all = history.size();
+    const auto young = std::ranges::count(history, Drift::too_few, &HistorySeries::drift);
+    std::erase_if(history,
+                  [](const HistorySeries& series) { return series.drift != Drift::left_band; });
+    if (!settings.json && history.empty()) {
+        fmt::print("no regression in {} series ({} of them have too few entries to judge)\n", all,
+                   young);
+        return exit_ok;
+    }
+    return print_history(settings, history);
+}
+
+}  // namespace crossgrain::app

@@ -1,0 +1,46 @@
+// crossgrain selftest: the error rates of the verdicts.
+#include "app/commands/commands.hpp"
+#include "app/selftest/selftest.hpp"
+#include "app/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace crossgrain::app {
+namespace {
+
+/// A tenth of the null comparisons, and of each group the first defect of every kind.
+SelftestCatalogue shortened(SelftestCatalogue catalogue) {
+    for (auto& null : catalogue.nulls)
+        null.rounds = std::max(1, null.rounds / 10);
+    for (auto& group : catalogue.groups) {
+        std::map<DefectKind, int> seen;
+        std::erase_if(group.defects, [&](const auto& defect) { return seen[defect.kind]++ > 0; });
+    }
+    return catalogue;
+}
+
+}  // namespace
+
+int selftest(const Settings& settings, const SelftestRequest& request, std::stop_token stop) {
+    auto catalogue = load_selftest(request.defects.empty() ? CROSSGRAIN_DEFECTS : request.defects);
+    if (request.quick) catalogue = shortened(std::move(catalogue));
+    Settings own = settings;
+    own.results = settings.results / "selftest";  // planted defects have no place in the history
+    const auto report = run_selftest(catalogue, own, std::move(stop));
+    if (report.interrupted) {
+        fmt::print(stderr, "interrupted: the same command goes on from there\n");
+        return exit_interrupted;
+    }
+    if (settings.json) {
+        fmt::print("{}\n", selftest_document(report).dump(2));
+    } else {
+        fmt::print("{}", selftest_table(report));
+    }
+    return report.passed() ? exit_ok : exit_verdict;
+}
+
+}  // namespace crossgrain::app

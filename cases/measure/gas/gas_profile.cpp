@@ -1,0 +1,220 @@
+#include "cases/measure/gas/gas_profile.hpp"
+
+#include "cases/measure/gas/gas_window.hpp"
+#include "native/base/random.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace crossgrain::measure {
+namespace {
+
+constexpr std::uint64_t shuffle_seed = 1995;
+
+bool power_of_two(std::int64_t value) {
+    return value >= 2 && std::has_single_bit(static_cast<std::uint64_t>(value));
+}
+
+void check(const scene::GasSampling& sampling, const GasProfileOptions& options) {
+    const auto require = [](bool holds, const std::string& what) {
+        if (!holds) throw std::invalid_argument(what);
+    };
+    require(sampling.periodic, "the profile needs a periodic pipe");
+    require(sampling.fields.count, "the profile needs the field 'count'");
+    require(sampling.bins() >= 8, "the profile needs eight bins or more");
+    require(power_of_two(options.fields),
+            fmt::format("fields must be a power of two, not {}", options.fields));
+    require(power_of_two(options.groups),
+            fmt::format("groups must be a power of two, not {}", options.groups));
+    require(sampling.frames() >= options.fields,
+            fmt::format("{} fields need more than the run's {} frames", options.fields,
+                        sampling.frames()));
+    require(sampling.replicas >= options.groups,
+            fmt::format("{} groups need more than {} replicas", options.groups, sampling.replicas));
+}
+
+// Fisher & Yates, the same for all replicas, anew at each frame.
+std::vector<std::uint16_t> shuffle_bins(const scene::GasFrame& frame, std::int64_t number) {
+    std::vector<std::size_t> order(frame.bins);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t i = frame.bins - 1; i > 0; --i) {
+        const auto counter = static_cast<std::uint64_t>(number) * frame.bins + i;
+        const double u = uniform(shuffle_seed, RandomStream::jitter, counter);
+        std::swap(order[i], order[static_cast<std::size_t>(u * static_cast<double>(i + 1))]);
+    }
+    std::vector<std::uint16_t> shuffled;
+    for (const std::size_t bin : order) {
+        const auto row = frame.count.subspan(bin * frame.replicas, frame.replicas);
+        shuffled.insert(shuffled.end(), row.begin(), row.end());
+    }
+    return shuffled;
+}
+
+// Members 0, 2, 4, ... (parity 0) or 1, 3, 5, ... of an ensemble of fields.
+std::vector<float> every_second(FieldShape shape, const std::vector<float>& fields,
+                                std::size_t parity) {
+    std::vector<float> half;
+    for (std::size_t x = 0; x < shape.bins; ++x) {
+        for (std::size_t r = parity; r < shape.replicas; r += 2)
+            half.push_back(fields[x * shape.replicas + r]);
+    }
+    return half;
+}
+
+// Merges neighbours until `count` members are left.
+std::vector<float> merge_down(std::size_t bins, std::vector<float> fields, std::size_t count) {
+    for (std::size_t members = fields.size() / bins; members > count; members /= 2) {
+        const FieldShape whole{bins, members}, half{bins, members / 2};
+        fields =
+            merge_overlapping(half, every_second(whole, fields, 0), every_second(whole, fields, 1));
+    }
+    return fields;
+}
+
+// Distance from the peak, in bins, at which the profile first falls to `level` in a direction.
+std::optional<double> distance_to(const std::vector<double>& profile, std::size_t peak,
+                                  double level, bool forward) {
+    const std::size_t bins = profile.size();
+    double before = profile[peak];
+    for (std::size_t d = 1; d < bins; ++d) {
+        const double here = profile[(forward ? peak + d : peak + bins - d) % bins];
+        if (here <= level) return static_cast<double>(d - 1) + (before - level) / (before - here);
+        before = here;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<WaveShape> wave_shape(const std::vector<double>& profile) {
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(profile) - profile.begin());
+    const double height = profile[peak];
+    if (!(height > 0)) return std::nullopt;
+    const auto level = [&](double share, bool forward) {
+        return distance_to(profile, peak, share * height, forward);
+    };
+    const auto front_half = level(0.5, true), back_half = level(0.5, false);
+    const auto front_foot = level(0.25, true), back_foot = level(0.25, false);
+    if (!front_half || !back_half || !front_foot || !back_foot) return std::nullopt;
+    const double front = *front_foot - *level(0.75, true);
+    const double back = *back_foot - *level(0.75, false);
+    return WaveShape{height, *front_half + *back_half, back / front};
+}
+
+GasProfile::GasProfile(const scene::GasSampling& sampling, GasProfileOptions options)
+    : sampling_(sampling), options_(options), shape_{static_cast<std::size_t>(sampling.bins()),
+                                                     static_cast<std::size_t>(sampling.replicas)} {
+    check(sampling, options);
+}
+
+void GasProfile::Ladder::add(FieldShape shape, std::vector<float> field) {
+    std::size_t level = 0;
+    while (level < waiting.size() && waiting[level]) {
+        field = merge_overlapping(shape, *waiting[level], field);
+        waiting[level++].reset();
+    }
+    if (level == waiting.size()) waiting.emplace_back();
+    waiting[level] = std::move(field);
+}
+
+void GasProfile::add(const scene::GasFrame& frame) {
+    if (frame_ == 0) {
+        const double all = std::accumulate(frame.count.begin(), frame.count.end(), 0.0);
+        mean_ = all / static_cast<double>(shape_.size());
+    }
+    if (frame_ < options_.fields) {
+        const std::vector<std::uint16_t> shuffled = shuffle_bins(frame, frame_);
+        fields_.add(shape_, fluctuation(shape_, frame.count, 1));
+        shuffled_.add(shape_, fluctuation(shape_, std::span<const std::uint16_t>(shuffled), 1));
+    }
+    ++frame_;
+}
+
+// One profile per group, each of as many replicas: a power of two.
+std::vector<float> GasProfile::groups_of(std::vector<float> profiles) const {
+    const auto groups = static_cast<std::size_t>(options_.groups);
+    const std::size_t used = std::bit_floor(shape_.replicas / groups) * groups;
+    std::vector<float> kept;
+    for (std::size_t x = 0; x < shape_.bins; ++x) {
+        const auto* row = &profiles[x * shape_.replicas];
+        kept.insert(kept.end(), row, row + used);
+    }
+    return merge_down(shape_.bins, std::move(kept), groups);
+}
+
+// Profiles of the groups, shape (groups)(bins), moved onto the merger of all of them, whose peak
+// comes to bin bins/2.
+std::vector<std::vector<double>> GasProfile::aligned(const Ladder& ladder) const {
+    const std::vector<float> groups = groups_of(*ladder.waiting.back());
+    const std::vector<float> whole = merge_down(shape_.bins, groups, 1);
+    const std::size_t bins = shape_.bins, count = groups.size() / bins;
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(whole) - whole.begin());
+    const FieldShape one{bins, 1};
+    std::vector<std::vector<double>> result;
+    for (std::size_t g = 0; g < count; ++g) {
+        std::vector<float> profile, overlap(bins, 0.0F);
+        for (std::size_t x = 0; x < bins; ++x)
+            profile.push_back(groups[x * count + g]);
+        add_overlap(one, whole, profile, overlap);
+        const std::size_t shift = best_shift(one, overlap, 0).bins;
+        std::vector<double> moved;
+        for (std::size_t x = 0; x < bins; ++x)
+            moved.push_back(double{profile[(x + peak + shift + bins - bins / 2) % bins]});
+        result.push_back(std::move(moved));
+    }
+    return result;
+}
+
+void GasProfile::finish(Results& results) {
+    if (frame_ < options_.fields || mean_ <= 0) return;
+    const auto waves = aligned(fields_), nulls = aligned(shuffled_);
+    const double sites = static_cast<double>(sampling_.bin) * sampling_.width;
+    Series series{.name = "profile",
+                  .columns = {"X", "density", "err", "null"},
+                  .values = std::vector<std::vector<double>>(4),
+                  .units = {"sites", "1/site", "1/site", "1/site"}};
+    for (std::size_t x = 0; x < shape_.bins; ++x) {
+        std::vector<double> here, null;
+        for (std::size_t g = 0; g < waves.size(); ++g) {
+            here.push_back(waves[g][x]);
+            null.push_back(nulls[g][x]);
+        }
+        const MeanWithError mean = mean_with_error(here);
+        const double position = static_cast<double>(x) - static_cast<double>(shape_.bins / 2);
+        series.values[0].push_back(position * sampling_.bin);
+        series.values[1].push_back((mean_ + mean.value) / sites);
+        series.values[2].push_back(mean.standard_error / sites);
+        series.values[3].push_back((mean_ + mean_with_error(null).value) / sites);
+    }
+    results.series.push_back(std::move(series));
+
+    std::vector<double> amplitudes, null_amplitudes, excess, widths, scaled, steepness;
+    std::size_t sharper = 0;
+    for (std::size_t g = 0; g < waves.size(); ++g) {
+        amplitudes.push_back(std::ranges::max(waves[g]) / mean_);
+        null_amplitudes.push_back(std::ranges::max(nulls[g]) / mean_);
+        excess.push_back(amplitudes.back() - null_amplitudes.back());
+        const auto shape = wave_shape(waves[g]);
+        if (!shape) continue;
+        widths.push_back(shape->width * sampling_.bin);
+        scaled.push_back(widths.back() / sampling_.length);
+        steepness.push_back(std::log(shape->steepness));
+        if (shape->steepness > 1) ++sharper;
+    }
+    auto& out = results.measurements;
+    out.push_back(over_replicas("profile_amplitude", amplitudes, "1"));
+    out.push_back(over_replicas("profile_null_amplitude", null_amplitudes, "1"));
+    out.push_back(over_replicas("profile_excess", excess, "1"));
+    if (widths.size() < waves.size()) return;
+    out.push_back(over_replicas("profile_width", widths, "sites"));
+    out.push_back(over_replicas("profile_width_over_length", scaled, "1"));
+    out.push_back(over_replicas("profile_asymmetry", steepness, "1"));
+    out.push_back(fraction("profile_front_sharper", sharper, waves.size()));
+}
+
+}  // namespace crossgrain::measure

@@ -1,0 +1,77 @@
+// Shape of the strongest density wave by hierarchical maximal overlap
+// (Peng & Herrmann 1995, section III.B, Fig. 4), in a periodic pipe.
+//
+// Successive fields are shifted in pairs until they overlap most and averaged; the averages are
+// paired again, and so on until one profile is left for each replica. The profiles of the replicas
+// of a group are then merged in the same way, and so are those of the groups. Errors are the
+// scatter of the groups.
+//
+// Maximal overlap makes a peak of anything, of noise too. The same procedure is therefore done with
+// fields whose bins are shuffled at each instant: the same particles per bin, no shape, no motion.
+// A wave is worth the name as far as it stands above that peak.
+#pragma once
+
+#include "cases/measure/estimator.hpp"
+#include "cases/measure/gas/gas_shift.hpp"
+#include "cases/scene/gas_sampling.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace crossgrain::measure {
+
+struct GasProfileOptions {
+    std::int64_t fields = 2048;  ///< frames used, from the first on: a power of two, >= 2
+    std::int64_t groups = 16;    ///< of replicas, a power of two, >= 2; replicas beyond a power of
+                                 ///< two per group are left out
+};
+
+/// Wave shape of a profile, shape (bins).
+struct WaveShape {
+    double amplitude = 0;  ///< greatest density above the mean
+    double width = 0;      ///< full width at half of it, bins
+    double steepness = 0;  ///< slope of the front over that of the back, each between 25 and 75 %
+};
+
+/// `profile` is the density minus its mean, the wave moving towards larger indices. Nothing for a
+/// flat profile or one that falls to 25 % of its height on neither side within the pipe.
+[[nodiscard]] std::optional<WaveShape> wave_shape(const std::vector<double>& profile);
+
+/// Series "profile": X (sites, 0 at the peak), density (particles per site, the mean included),
+/// err, null (the same of the shuffled fields). Measurements, over groups:
+/// - `profile_amplitude`: peak above the mean over the mean;
+/// - `profile_null_amplitude`: the same of the shuffled fields;
+/// - `profile_excess`: amplitude minus null amplitude;
+/// - `profile_width`: full width at half maximum, sites; `profile_width_over_length`;
+/// - `profile_asymmetry`: logarithm of the slope of the front over that of the back; 0 if symmetric
+///   (the ratio itself, with noise, has a mean above 1);
+/// - `profile_front_sharper`: share of the groups whose front is steeper than their back.
+/// Nothing if the run ended before the last field.
+class GasProfile final : public GasEstimator {
+  public:
+    /// Throws std::invalid_argument for an open pipe, without the field `count`, with fewer than
+    /// eight bins, numbers that are no power of two, fewer frames than fields or fewer replicas
+    /// than groups.
+    GasProfile(const scene::GasSampling& sampling, GasProfileOptions options);
+    void add(const scene::GasFrame& frame) override;
+    void finish(Results& results) override;
+
+  private:
+    /// Averages of 2^k fields that wait for their partner, at index k.
+    struct Ladder {
+        std::vector<std::optional<std::vector<float>>> waiting;
+        void add(FieldShape shape, std::vector<float> field);
+    };
+    [[nodiscard]] std::vector<float> groups_of(std::vector<float> profiles) const;
+    [[nodiscard]] std::vector<std::vector<double>> aligned(const Ladder& ladder) const;
+
+    scene::GasSampling sampling_;
+    GasProfileOptions options_;
+    FieldShape shape_;
+    std::int64_t frame_ = 0;
+    double mean_ = 0;  ///< particles per bin, all replicas and bins of the first frame
+    Ladder fields_, shuffled_;
+};
+
+}  // namespace crossgrain::measure

@@ -1,0 +1,13 @@
+#include "cases/measure/statistics/jackknife.hpp"
+
+#include "cases/measure/statistics/mean_with_error.hpp"
+
+namespace crossgrain::measure {
+
+double jackknife_error(std::span<const double> statistics_without_part) {
+    // se^2 = (g-1)/g sum (theta - mean)^2 is the squared error of their mean times (g-1)^2.
+    const MeanWithError spread = mean_with_error(statistics_without_part);
+    return spread.standard_error * static_cast<double>(spread.n - 1);
+}
+
+}  // namespace crossgrain::measure
