@@ -30,7 +30,8 @@ double restitution_error(dem::Scheme scheme, double step) {
              .damping = p.damping,
              .scheme = scheme,
              .dt = step * (0.96 + 0.01 * (n % steps))};
-        const double half = p.diameter / 2 + p.dt / 2 * (n / steps + 0.5) / entries;
+        const int entry = n / steps;
+        const double half = p.diameter / 2 + p.dt / 2 * (entry + 0.5) / entries;
         dem::Engine engine(p, {.x = {-half, half}, .y = {0, 0}, .vx = {0.5, -0.5}, .vy = {0, 0}});
         engine.advance(std::lround(2 * contact_time / p.dt) + 4);
         sum += engine.state().vx[1] - engine.state().vx[0];

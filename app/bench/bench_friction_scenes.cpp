@@ -79,7 +79,8 @@ scene::Scene pipe_of_grains() {
     }
     for (std::uint64_t i = 0; i < grains; ++i) {
         const auto v = normal_pair(1, RandomStream::initial_velocity, i);
-        add(s, 1.5 + 1.6 * static_cast<double>(i % 6), 0.5 + 3.14 * static_cast<double>(i / 6),
+        const std::uint64_t row = i / 6;
+        add(s, 1.5 + 1.6 * static_cast<double>(i % 6), 0.5 + 3.14 * static_cast<double>(row),
             5 * v[0], 5 * v[1] - 8, diameter_within(0.05, i), false);
     }
     return evolved(std::move(s), 50);
@@ -91,16 +92,21 @@ scene::Scene hopper_of_grains(double height) {
     std::size_t plug = 0;
     for (; plug < static_cast<std::size_t>(outlet); ++plug)
         add(s, static_cast<double>(plug) + 0.5 - outlet / 2, -0.5, 0, 0, 1, true);
-    for (double along = 0; along < 1.25 * height / std::cos(angle); along += 1) {
+    const auto wall = static_cast<int>(std::ceil(1.25 * height / std::cos(angle)));
+    for (int along = 0; along < wall; ++along) {
         for (const double side : {-1.0, 1.0}) {
             add(s, side * (outlet / 2 + 0.5 + along * std::sin(angle)), along * std::cos(angle), 0,
                 0, 1, true);
         }
     }
     std::uint64_t i = 0;
-    for (double y = 1; y < 1.1 * height; y += spacing) {
+    const auto rows = static_cast<int>(std::ceil((1.1 * height - 1) / spacing));
+    for (int row = 0; row < rows; ++row) {
+        const double y = 1 + row * spacing;
         const double half = outlet / 2 + y * std::tan(angle) - 1.2;
-        for (double x = -half; x < half; x += spacing, ++i) {
+        const auto columns = static_cast<int>(std::ceil(2 * half / spacing));
+        for (int column = 0; column < columns; ++column, ++i) {
+            const double x = column * spacing - half;
             const auto v = normal_pair(1, RandomStream::initial_velocity, i);
             add(s, x, y, 0.1 * v[0], 0.1 * v[1], diameter_within(0.2, i), false);
         }

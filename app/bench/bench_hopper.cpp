@@ -185,8 +185,8 @@ std::vector<BenchRow> sizes(const BenchOptions& options) {
         auto p = paper_hopper();
         p.outlet = outlet;
         p.levels = levels;
-        const auto iterations =
-            std::min<std::int64_t>(options.quick ? 5 : 20, sites(p) / (5 * outlet) + 1);
+        const auto iterations = std::min<std::int64_t>(options.quick ? 5 : 20,
+                                                       sites(p) / (std::int64_t{5} * outlet) + 1);
         contenders.push_back(
             {.row = {.name = fmt::format("fast, L = {}, N = {}", levels, outlet),
                      .size = sites(p),
