@@ -17,6 +17,9 @@ namespace {
 /// would make groups more alike and their neighbours farther apart in memory.
 constexpr std::size_t window = 256;
 
+/// Of floats in the widest vector.
+constexpr std::size_t most_lanes = 16;
+
 /// More neighbours than this less one do not count when grains are sorted.
 constexpr std::size_t most_ranked = 12;
 
@@ -166,28 +169,33 @@ void PaddedListMaker::write_rows(Part& part, const PaddedListShape& shape, Padde
     part.rows.clear();
     part.offsets.clear();
     part.gaps.clear();
+    std::array<std::size_t, most_lanes> place_of_lane{};
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        place_of_lane[lane] = shape.group.place_of_lane(lane);
+    std::array<std::uint32_t, most_lanes> grain{};
     const std::size_t last_group = std::min(part.last_window * window / lanes, groups);
     for (std::size_t group = offset / lanes; group < last_group; ++group) {
-        // Lanes beyond the last grain repeat it.
-        const auto grain = [&](std::size_t lane) {
-            return from_[std::min(group * lanes + shape.group.place_of_lane(lane), grains - 1)];
-        };
         std::uint32_t rows = 0;
         std::uint8_t crosses = 0;
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            rows = std::max(rows, part.found.counts[grain(lane) - offset]);
-            crosses |= part.found.crosses[grain(lane) - offset];
+            // Lanes beyond the last grain repeat it.
+            grain[lane] = from_[std::min(group * lanes + place_of_lane[lane], grains - 1)];
+            rows = std::max(rows, part.found.counts[grain[lane] - offset]);
+            crosses |= part.found.crosses[grain[lane] - offset];
         }
         const std::size_t base = part.offsets.size();
         part.offsets.resize(base + rows * lanes, dummy);
         part.distances_squared.assign(rows * lanes, never);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const std::uint32_t i = grain(lane);
+            const std::uint32_t i = grain[lane];
             const auto* neighbours = part.found.neighbours.data() + first_neighbour_[i];
             const auto* distances = part.found.distances_squared.data() + first_neighbour_[i];
-            for (std::size_t row = 0; row < part.found.counts[i - offset]; ++row) {
-                part.offsets[base + row * lanes + lane] = place_[neighbours[row]] * size;
-                part.distances_squared[row * lanes + lane] = distances[row];
+            const std::size_t count = part.found.counts[i - offset];
+            auto* offsets = part.offsets.data() + base + lane;
+            auto* distances_squared = part.distances_squared.data() + lane;
+            for (std::size_t row = 0; row < count; ++row) {
+                offsets[row * lanes] = place_[neighbours[row]] * size;
+                distances_squared[row * lanes] = distances[row];
             }
         }
         part.nearest_squared.resize(rows);
