@@ -106,7 +106,8 @@ void PaddedListMaker::sort_by_cell(std::span<const double> x, std::span<const do
         for (std::size_t place = begin; place < end; ++place) {
             const std::uint32_t i = by_cell_[place];
             cells_.cell[place] = cell[i];
-            const double left = low_x_ + static_cast<double>(cell[i] / cells_.rows) / per_width_;
+            const std::size_t column = cell[i] / cells_.rows;
+            const double left = low_x_ + static_cast<double>(column) / per_width_;
             cells_.x[place] = static_cast<float>(x[i] - left);
             cells_.y[place] = static_cast<float>(y[i] - heights_.low);
         }
