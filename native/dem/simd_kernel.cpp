@@ -26,11 +26,11 @@ constexpr std::size_t grains_per_thread = 4096;
 
 /// From here on records come from afar, and are called for before their neighbours need them:
 /// beyond the next columns of a bed and a window of the list, but well within a cache.
-constexpr std::size_t fits_in_cache = 512 * 1024;
+constexpr std::size_t fits_in_cache = std::size_t{512} * 1024;
 constexpr std::size_t grains_ahead = 1024;
 
 /// From here on no cache keeps the records until the next step.
-constexpr std::size_t fits_in_no_cache = 16 * 1024 * 1024;
+constexpr std::size_t fits_in_no_cache = std::size_t{16} * 1024 * 1024;
 
 int useful_threads(const Parameters& p, std::size_t grains) {
     const std::size_t most = std::max<std::size_t>(grains / grains_per_thread, 1);

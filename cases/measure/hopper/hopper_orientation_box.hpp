@@ -80,7 +80,8 @@ class SpaceTimeCounts {
     static constexpr int largest_shift = 15;  ///< spacings, up and down
     void add(const OrientationBox& earlier, const OrientationBox& later);
     [[nodiscard]] const OrientationPairs& at(int shift) const {
-        return pairs_[static_cast<std::size_t>(shift + largest_shift)];
+        const int from_lowest = shift + largest_shift;
+        return pairs_[static_cast<std::size_t>(from_lowest)];
     }
 
   private:
