@@ -34,14 +34,12 @@ int chart_cases(const Settings& given, std::stop_token stop) {
                                   {"command", settings.command},
                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
                                   {"charts", charts}};
+    // Before the page, which a file of another call can spoil: what was computed is told.
+    if (settings.json) fmt::print("{}\n", document.dump(2));
     nlohmann::json page = document;
     add_earlier_charts(directory / "charts", page["charts"]);
     reports::write_chart_page(page, directory, share_directory() / "web");
-    if (settings.json) {
-        fmt::print("{}\n", document.dump(2));
-    } else {
-        fmt::print("written: {}\n", (directory / "charts.html").string());
-    }
+    if (!settings.json) fmt::print("written: {}\n", (directory / "charts.html").string());
     // A rung that fails is a result here; a run that nobody let finish is not.
     return report.interrupted ? exit_interrupted : exit_ok;
 }

@@ -3,7 +3,7 @@
 // often one looks.
 #include "native/base/errors.hpp"
 #include "native/base/instruction_sets.hpp"
-#include "tests/native/dem/systems.hpp"
+#include "tests/native/dem/simd_bed.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <hwy/targets.h>
@@ -17,64 +17,6 @@ using namespace crossgrain;
 using namespace crossgrain::tests;
 
 namespace {
-
-constexpr double dt = 1e-3;
-constexpr double contact_time = 0.1;
-const dem::Scheme both_schemes[] = {dem::Scheme::verlet_half_step, dem::Scheme::verlet_predicted};
-
-/// A shaken bed under a free lid, 32 columns and a period of 65: nothing is left out. The number of
-/// grains is no multiple of any vector's lanes.
-dem::Parameters bed_parameters(const LawVariant& law, dem::Scheme scheme) {
-    auto p = free_discs(law, dt);
-    p.gravity = 1;
-    p.period_x = 65;
-    p.plate_stiffness = p.stiffness;
-    p.bottom = dem::MovingPlate{.height = -2.1, .amplitude = 2, .omega = std::numbers::pi / 3};
-    p.lid = dem::InertialLid{.mass = 50};
-    p.scheme = scheme;
-    return p;
-}
-
-dem::State bed(std::size_t grains = 301, std::size_t columns = 32, double speed = 0.1) {
-    dem::State s;
-    for (std::uint64_t i = 0; i < grains; ++i) {
-        const std::uint64_t row = i / columns;
-        const auto jitter = [&](std::uint64_t k) {
-            return 0.1 * (uniform(7, RandomStream::jitter, 2 * i + k) - 0.5);
-        };
-        const auto v = normal_pair(7, RandomStream::initial_velocity, i);
-        // Beyond the period on both sides: positions are unwrapped.
-        add_disc(s,
-                 2.03 * static_cast<double>(i % columns) - 30 + (row % 2 ? 1.0 : 0.0) + jitter(0),
-                 1.8 * static_cast<double>(row) + jitter(1), speed * v[0], speed * v[1]);
-    }
-    s.lid_height = 1.8 * static_cast<double>(grains / columns) + 0.5;
-    return s;
-}
-
-dem::State run_with(dem::Parameters p, dem::Kernel kernel, dem::Precision precision,
-                    std::int64_t steps, const dem::State& start) {
-    p.kernel = kernel;
-    p.precision = precision;
-    return after(p, start, steps);
-}
-
-dem::State scalar(const dem::Parameters& p, std::int64_t steps, const dem::State& start = bed()) {
-    return run_with(p, dem::Kernel::scalar, dem::Precision::double_precision, steps, start);
-}
-dem::State simd(const dem::Parameters& p, std::int64_t steps, const dem::State& start = bed()) {
-    return run_with(p, dem::Kernel::simd, dem::Precision::double_precision, steps, start);
-}
-dem::State mixed(const dem::Parameters& p, std::int64_t steps, const dem::State& start = bed()) {
-    return run_with(p, dem::Kernel::simd, dem::Precision::mixed, steps, start);
-}
-
-double largest_distance(const dem::State& a, const dem::State& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.x.size(); ++i)
-        largest = std::max(largest, std::hypot(a.x[i] - b.x[i], a.y[i] - b.y[i]));
-    return largest;
-}
 
 constexpr auto ten_contacts = static_cast<std::int64_t>(10 * contact_time / dt);
 
@@ -323,32 +265,4 @@ BOOST_AUTO_TEST_CASE(small_systems_and_the_parity_scheme_stay_on_the_scalar_kern
     BOOST_TEST(kernel(dem::Scheme::verlet_predicted, 100) == "scalar");
     BOOST_TEST(kernel(dem::Scheme::verlet_predicted, 301) != "scalar");
     BOOST_TEST(kernel(dem::Scheme::verlet_half_step, 301) == "scalar");
-}
-
-// More records than a cache holds are stored past it, by both threads: every part of a bed of many
-// equal parts must still do what the bed does that it is a part of.
-BOOST_AUTO_TEST_CASE(a_bed_that_no_cache_holds_is_many_small_ones) {
-    constexpr std::size_t parts = 1900, steps = 60;  // 572,000 grains of 32 bytes
-    auto p = bed_parameters(law_variants[0], dem::Scheme::verlet_predicted);
-    const auto narrow = simd(p, steps);
-    const auto start = bed();
-    dem::State wide{.lid_height = start.lid_height};
-    for (std::size_t part = 0; part < parts; ++part) {
-        for (std::size_t i = 0; i < start.x.size(); ++i) {
-            add_disc(wide, start.x[i] + 65.0 * static_cast<double>(part), start.y[i], start.vx[i],
-                     start.vy[i]);
-        }
-    }
-    p.period_x = 65.0 * parts;
-    p.lid = dem::InertialLid{.mass = 50.0 * parts};
-    p.threads = 2;
-    const auto after_steps = simd(p, steps, wide);
-    double largest = 0;
-    for (std::size_t i = 0; i < wide.x.size(); ++i) {
-        const std::size_t own = i % start.x.size();
-        const double x = 65.0 * static_cast<double>(i / start.x.size()) + narrow.x[own];
-        largest =
-            std::max(largest, std::hypot(after_steps.x[i] - x, after_steps.y[i] - narrow.y[own]));
-    }
-    BOOST_TEST(largest < 1e-9);  // positions up to 1e5, 1e-11 of rounding each
 }
