@@ -1,6 +1,9 @@
 #include "native/dem/neighbour_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -9,22 +12,79 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#ifndef CROSSGRAIN_DEM_SET_BITS_FIRST
+#define CROSSGRAIN_DEM_SET_BITS_FIRST
+namespace crossgrain::dem {
+
+/// For every eight bits the numbers of those that are set, and zeros behind them.
+constexpr auto set_bits_first = [] {
+    std::array<std::array<std::int32_t, 8>, 256> table{};
+    for (unsigned bits = 0; bits < table.size(); ++bits) {
+        std::size_t next = 0;
+        for (int bit = 0; bit < 8; ++bit)
+            if ((bits >> bit & 1U) != 0) table[bits][next++] = bit;
+    }
+    return table;
+}();
+
+}  // namespace crossgrain::dem
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace crossgrain::dem {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::ScalableTag<float>;
-using DI = hn::RebindToUnsigned<D>;
+using DI = hn::RebindToSigned<D>;
+
+/// The lanes of a mask, in front of the others. A table of its own where the instruction set cannot:
+/// that of Highway 1.0.3 is copied before each use.
+#if HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_SCALAR
+class InFront {
+  public:
+    HWY_INLINE explicit InFront(hn::Mask<D> mask) : mask_(mask) {}
+    [[nodiscard]] HWY_INLINE std::size_t Count() const { return hn::CountTrue(D(), mask_); }
+    [[nodiscard]] HWY_INLINE hn::Vec<D> Of(hn::Vec<D> v) const { return hn::Compress(v, mask_); }
+    [[nodiscard]] HWY_INLINE hn::Vec<DI> Of(hn::Vec<DI> v) const {
+        return hn::Compress(v, hn::RebindMask(DI(), mask_));
+    }
+
+  private:
+    hn::Mask<D> mask_;
+};
+#else
+class InFront {
+  public:
+    HWY_INLINE explicit InFront(hn::Mask<D> mask) : bits_(Bits(mask)) {}
+    [[nodiscard]] HWY_INLINE std::size_t Count() const {
+        return static_cast<std::size_t>(std::popcount(bits_));
+    }
+    template <class V>
+    [[nodiscard]] HWY_INLINE V Of(V v) const {
+        return hn::TableLookupLanes(
+            v, hn::SetTableIndices(hn::DFromV<V>(), set_bits_first[bits_].data()));
+    }
+
+  private:
+    static_assert(hn::MaxLanes(D()) <= set_bits_first[0].size());
+    static HWY_INLINE std::uint8_t Bits(hn::Mask<D> mask) {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(D(), mask, bytes);
+        return bytes[0];
+    }
+    std::uint8_t bits_;
+};
+#endif
 
 /// Writes the neighbours of one grain behind those of the grains before it.
 class Search {
   public:
     HWY_INLINE Search(const CellView& cells, std::size_t grain, FoundNeighbours& found,
                       std::size_t first)
-        : cells_(cells), numbers_(found.neighbours.data() + first),
+        : cells_(cells), numbers_(reinterpret_cast<std::int32_t*>(found.neighbours.data() + first)),
           distances_(found.distances_squared.data() + first),
-          grain_(hn::Set(DI(), static_cast<std::uint32_t>(grain))), lane_(hn::Iota(DI(), 0)),
+          grain_(hn::Set(DI(), static_cast<std::int32_t>(grain))), lane_(hn::Iota(DI(), 0)),
           y_(hn::Set(D(), cells.y[grain])), range_limit_(hn::Set(D(), cells.range_squared)),
           near_limit_(hn::Set(D(), cells.near_squared)) {}
 
@@ -39,14 +99,17 @@ class Search {
             const auto dy = hn::Sub(y_, hn::LoadU(d, cells_.y.data() + j));
             const auto r_squared = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
             // Not Iota of j, which some versions put together in memory, number by number.
-            const auto numbers = hn::Add(lane_, hn::Set(di, static_cast<std::uint32_t>(j)));
-            const auto within = hn::And(hn::FirstN(d, end - j),
-                                        hn::And(hn::Lt(r_squared, range_limit_),
-                                                hn::RebindMask(d, hn::Ne(numbers, grain_))));
+            const auto numbers = hn::Add(lane_, hn::Set(di, static_cast<std::int32_t>(j)));
+            const auto candidate =
+                hn::And(hn::Lt(numbers, hn::Set(di, static_cast<std::int32_t>(end))),
+                        hn::Ne(numbers, grain_));
+            const auto within =
+                hn::And(hn::Lt(r_squared, range_limit_), hn::RebindMask(d, candidate));
+            const InFront in_front(within);
             // Not CompressStore: to memory it takes a hundred cycles on some machines.
-            hn::StoreU(hn::Compress(numbers, hn::RebindMask(di, within)), di, numbers_ + count);
-            hn::StoreU(hn::Compress(r_squared, within), d, distances_ + count);
-            count += hn::CountTrue(d, within);
+            hn::StoreU(in_front.Of(numbers), di, numbers_ + count);
+            hn::StoreU(in_front.Of(r_squared), d, distances_ + count);
+            count += in_front.Count();
             near_count += hn::CountTrue(d, hn::And(within, hn::Lt(r_squared, near_limit_)));
             if (count > FoundNeighbours::most) break;
         }
@@ -57,7 +120,7 @@ class Search {
 
   private:
     const CellView& cells_;
-    std::uint32_t* HWY_RESTRICT numbers_;
+    std::int32_t* HWY_RESTRICT numbers_;
     float* HWY_RESTRICT distances_;
     hn::Vec<DI> grain_, lane_;
     hn::Vec<D> y_, range_limit_, near_limit_;
