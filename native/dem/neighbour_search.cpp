@@ -38,44 +38,22 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
 
-/// The lanes of a mask, in front of the others. A table of its own where the instruction set cannot:
-/// that of Highway 1.0.3 is copied before each use.
+/// Stores the lanes of a mask one after the other, and anything behind them. Returns their number.
+HWY_INLINE std::size_t StoreWhere(hn::Mask<D> where, hn::Vec<DI> v, std::int32_t* HWY_RESTRICT to) {
 #if HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_SCALAR
-class InFront {
-  public:
-    HWY_INLINE explicit InFront(hn::Mask<D> mask) : mask_(mask) {}
-    [[nodiscard]] HWY_INLINE std::size_t Count() const { return hn::CountTrue(D(), mask_); }
-    [[nodiscard]] HWY_INLINE hn::Vec<D> Of(hn::Vec<D> v) const { return hn::Compress(v, mask_); }
-    [[nodiscard]] HWY_INLINE hn::Vec<DI> Of(hn::Vec<DI> v) const {
-        return hn::Compress(v, hn::RebindMask(DI(), mask_));
-    }
-
-  private:
-    hn::Mask<D> mask_;
-};
+    // Not CompressStore: to memory it takes a hundred cycles on some machines.
+    hn::StoreU(hn::Compress(v, hn::RebindMask(DI(), where)), DI(), to);
+    return hn::CountTrue(D(), where);
 #else
-class InFront {
-  public:
-    HWY_INLINE explicit InFront(hn::Mask<D> mask) : bits_(Bits(mask)) {}
-    [[nodiscard]] HWY_INLINE std::size_t Count() const {
-        return static_cast<std::size_t>(std::popcount(bits_));
-    }
-    template <class V>
-    [[nodiscard]] HWY_INLINE V Of(V v) const {
-        return hn::TableLookupLanes(
-            v, hn::SetTableIndices(hn::DFromV<V>(), set_bits_first[bits_].data()));
-    }
-
-  private:
+    // Not Compress either, whose table Highway 1.0.3 copies before each use.
     static_assert(hn::MaxLanes(D()) <= set_bits_first[0].size());
-    static HWY_INLINE std::uint8_t Bits(hn::Mask<D> mask) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(D(), mask, bytes);
-        return bytes[0];
-    }
-    std::uint8_t bits_;
-};
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(D(), where, bits);
+    const auto lanes = hn::SetTableIndices(DI(), set_bits_first[bits[0]].data());
+    hn::StoreU(hn::TableLookupLanes(v, lanes), DI(), to);
+    return static_cast<std::size_t>(std::popcount(bits[0]));
 #endif
+}
 
 /// Writes the neighbours of one grain behind those of the grains before it.
 class Search {
@@ -83,7 +61,6 @@ class Search {
     HWY_INLINE Search(const CellView& cells, std::size_t grain, FoundNeighbours& found,
                       std::size_t first)
         : cells_(cells), numbers_(reinterpret_cast<std::int32_t*>(found.neighbours.data() + first)),
-          distances_(found.distances_squared.data() + first),
           grain_(hn::Set(DI(), static_cast<std::int32_t>(grain))), lane_(hn::Iota(DI(), 0)),
           y_(hn::Set(D(), cells.y[grain])), range_limit_(hn::Set(D(), cells.range_squared)),
           near_limit_(hn::Set(D(), cells.near_squared)) {}
@@ -105,11 +82,7 @@ class Search {
                         hn::Ne(numbers, grain_));
             const auto within =
                 hn::And(hn::Lt(r_squared, range_limit_), hn::RebindMask(d, candidate));
-            const InFront in_front(within);
-            // Not CompressStore: to memory it takes a hundred cycles on some machines.
-            hn::StoreU(in_front.Of(numbers), di, numbers_ + count);
-            hn::StoreU(in_front.Of(r_squared), d, distances_ + count);
-            count += in_front.Count();
+            count += StoreWhere(within, numbers, numbers_ + count);
             near_count += hn::CountTrue(d, hn::And(within, hn::Lt(r_squared, near_limit_)));
             if (count > FoundNeighbours::most) break;
         }
@@ -121,7 +94,6 @@ class Search {
   private:
     const CellView& cells_;
     std::int32_t* HWY_RESTRICT numbers_;
-    float* HWY_RESTRICT distances_;
     hn::Vec<DI> grain_, lane_;
     hn::Vec<D> y_, range_limit_, near_limit_;
 };
@@ -131,7 +103,6 @@ void MakeRoom(FoundNeighbours& found, std::size_t behind) {
     const std::size_t needed = behind + FoundNeighbours::most + 64;
     if (found.neighbours.size() >= needed) return;
     found.neighbours.resize(2 * needed);
-    found.distances_squared.resize(2 * needed);
 }
 
 void Find(const CellView& cells, std::size_t first, std::size_t last, FoundNeighbours& found) {

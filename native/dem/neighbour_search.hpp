@@ -26,7 +26,6 @@ struct CellView {
 /// The neighbours of some grains, one after the other.
 struct FoundNeighbours {
     std::vector<std::uint32_t> neighbours;  ///< flat; what is beyond the last one means nothing
-    std::vector<float> distances_squared;   ///< of the neighbours, likewise
     std::vector<std::uint32_t> counts;      ///< shape (grains asked for)
     std::vector<std::uint32_t>
         near_counts;                    ///< shape (grains asked for): of them, nearer than near

@@ -1,7 +1,6 @@
 #include "native/dem/padded_list.hpp"
 
 #include "native/base/errors.hpp"
-#include "native/dem/row_order.hpp"
 
 #include <fmt/format.h>
 
@@ -75,7 +74,6 @@ void PaddedListMaker::set_cells(std::span<const double> x, std::span<const doubl
     const double near = shape.diameter + shape.skin / 4;
     cells_.near_squared = static_cast<float>(near * near);
     cells_.range_squared = static_cast<float>(listed * listed);
-    slack_ = slack;
 }
 
 void PaddedListMaker::sort_by_cell(std::span<const double> x, std::span<const double> y,
@@ -161,15 +159,8 @@ void PaddedListMaker::write_rows(Part& part, const PaddedListShape& shape, Padde
     const std::size_t offset = part.first_window * window;
     const auto size = static_cast<std::uint32_t>(shape.record_size);
     const auto dummy = static_cast<std::uint32_t>(groups * lanes) * size;
-    // Rounded down, so that no row comes too late.
-    const auto least_gap = [&](float distance_squared) {
-        return std::sqrt(distance_squared) - static_cast<float>(shape.diameter + slack_);
-    };
-    constexpr float never = std::numeric_limits<float>::infinity();
-    const OrderRows order_rows = order_rows_function();
     part.rows.clear();
     part.offsets.clear();
-    part.gaps.clear();
     std::array<std::size_t, most_lanes> place_of_lane{};
     for (std::size_t lane = 0; lane < lanes; ++lane)
         place_of_lane[lane] = shape.group.place_of_lane(lane);
@@ -186,25 +177,14 @@ void PaddedListMaker::write_rows(Part& part, const PaddedListShape& shape, Padde
         }
         const std::size_t base = part.offsets.size();
         part.offsets.resize(base + rows * lanes, dummy);
-        part.distances_squared.assign(rows * lanes, never);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t i = grain[lane];
             const auto* neighbours = part.found.neighbours.data() + first_neighbour_[i];
-            const auto* distances = part.found.distances_squared.data() + first_neighbour_[i];
             const std::size_t count = part.found.counts[i - offset];
             auto* offsets = part.offsets.data() + base + lane;
-            auto* distances_squared = part.distances_squared.data() + lane;
-            for (std::size_t row = 0; row < count; ++row) {
+            for (std::size_t row = 0; row < count; ++row)
                 offsets[row * lanes] = place_[neighbours[row]] * size;
-                distances_squared[row * lanes] = distances[row];
-            }
         }
-        part.nearest_squared.resize(rows);
-        order_rows(rows, lanes, part.offsets.data() + base, part.distances_squared.data(),
-                   part.nearest_squared.data());
-        for (const float nearest : part.nearest_squared)
-            part.gaps.push_back(least_gap(nearest));
-        part.gaps.push_back(never);
         part.rows.push_back(rows);
         list.crosses[group] = crosses;
     }
@@ -220,7 +200,10 @@ void PaddedListMaker::join(const PaddedListShape& shape, ThreadTeam& team, Padde
         }
     }
     list.offsets.resize(list.first_row.back() * shape.group.lanes);
-    list.gaps.resize(list.first_row.back() + list.crosses.size());
+    // Due at once, until they are ordered.
+    list.due.assign(list.first_row.back() + list.crosses.size(), 0);
+    for (std::size_t ended = 0; ended < list.crosses.size(); ++ended)
+        list.due[list.first_row[ended + 1] + ended] = std::numeric_limits<float>::infinity();
     team.run([&](std::size_t thread) {
         const Part& part = parts_[thread];
         const std::size_t first_group =
@@ -228,9 +211,6 @@ void PaddedListMaker::join(const PaddedListShape& shape, ThreadTeam& team, Padde
         std::copy(part.offsets.begin(), part.offsets.end(),
                   list.offsets.begin() +
                       static_cast<std::ptrdiff_t>(list.first_row[first_group] * shape.group.lanes));
-        std::copy(part.gaps.begin(), part.gaps.end(),
-                  list.gaps.begin() +
-                      static_cast<std::ptrdiff_t>(list.first_row[first_group] + first_group));
     });
 }
 

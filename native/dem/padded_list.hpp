@@ -44,10 +44,8 @@ class PaddedListMaker {
     struct Part {
         std::size_t first_window = 0, last_window = 0;
         FoundNeighbours found;
-        std::vector<std::uint32_t> rows;                        ///< shape (groups)
-        std::vector<std::uint32_t> offsets;                     ///< shape (rows, lanes)
-        std::vector<float> gaps;                                ///< shape (rows + groups)
-        std::vector<float> distances_squared, nearest_squared;  ///< of the group being written
+        std::vector<std::uint32_t> rows;     ///< shape (groups)
+        std::vector<std::uint32_t> offsets;  ///< shape (rows, lanes)
     };
 
     void sort_by_cell(std::span<const double> x, std::span<const double> y,
@@ -62,7 +60,6 @@ class PaddedListMaker {
     CellView cells_;
     Bounds heights_;
     double low_x_ = 0, per_width_ = 0, per_height_ = 0;
-    double slack_ = 0;                    ///< rounding of distances
     std::vector<std::uint32_t> by_cell_;  ///< grains in the order of cells
     std::vector<std::uint32_t> from_;     ///< place in the order of cells of what is at a place
     std::vector<std::uint32_t> place_;    ///< the inverse of from_

@@ -27,8 +27,8 @@ class Coordinates<DoubleFormat> {
     /// Where a grain is that was at `start`, which is `listed`, when the list was made.
     [[nodiscard]] double x_now(double, double, double now) const { return now; }
     [[nodiscard]] double y_now(double, double, double now) const { return now; }
-    /// Far from all grains, and far enough from overflow.
-    [[nodiscard]] double dummy_y() const { return 1e30; }
+    /// Far from all grains, and its square far enough from overflow, of floats as well.
+    [[nodiscard]] double dummy_y() const { return 1e18; }
     /// How far all grains may move together before the list has to be made anew.
     [[nodiscard]] double longest_drift() const { return std::numeric_limits<double>::max(); }
 };

@@ -72,13 +72,15 @@ struct GroupShape {
 
 /// Full neighbour list, padded per group of as many grains as a vector has lanes. Row r of group g
 /// has the r-th neighbour of each of its grains, as a byte offset into the records; grains with
-/// fewer neighbours have the dummy record, which is far from all, instead. Nearest neighbours come
-/// first: a row matters only when grains have come near enough to close its gap.
+/// fewer neighbours have the dummy record, which is far from all, instead. Neighbours that can
+/// touch first come first, as of the step at which rows were last ordered (simd_row_order-inl.hpp):
+/// a row matters only when it is due.
 struct PaddedList {
     std::vector<std::uint32_t> first_row;  ///< shape (groups + 1)
     std::vector<std::uint32_t> offsets;    ///< shape (rows, lanes)
-    std::vector<float> gaps;  ///< shape (rows + groups): least gap in a row and behind it when the
-                              ///< list was made (length); infinity behind the last row of a group
+    std::vector<float> due;  ///< shape (rows + groups): steps from that one, which is step 1, to
+                             ///< the first in which a pair of a row, or of one behind it, can
+                             ///< touch; infinity behind the last row of a group
     std::vector<std::uint8_t> crosses;  ///< shape (groups): a pair reaches across the period
 };
 
@@ -114,14 +116,24 @@ struct StepTask {
     std::size_t grains = 0;    ///< without padding
     std::size_t ahead = 0;     ///< records so far ahead are called for; none if it is `grains`
     bool past_caches = false;  ///< records are stored so
-    float closed = 0;  ///< gaps of up to so much may have closed since the list was made (length)
+    float step = 1;            ///< since rows were ordered, which was before step 1
     typename Format::Position bottom = 0;  ///< touches a grain whose y is below
     typename Format::Position lid = 0;     ///< touches a grain whose y is above
-    double* lid_overlap = nullptr;  ///< shape (blocks): sum of overlaps, in units of position
-    Real drift_x = 0, drift_y = 0;  ///< common velocity that does not count
-    Real speed_limit_squared = 0;
-    std::int64_t* rows = nullptr;  ///< adds up the rows looked at
-    bool* exceeded = nullptr;  ///< set when a grain is faster than that, or its speed is no number
+    double* lid_overlap = nullptr;        ///< shape (blocks): sum of overlaps, in units of position
+    Real acceleration_limit_squared = 0;  ///< by all contacts of a grain
+    std::int64_t* rows = nullptr;         ///< adds up the rows looked at
+    bool* exceeded = nullptr;  ///< set when an acceleration is beyond the limit or no number
+};
+
+/// Orders the rows of the groups [first_group, last_group).
+template <class Format>
+struct RowOrderTask {
+    const StepConstants<Format>* constants = nullptr;
+    const typename Format::Record* now = nullptr;  ///< shape (padded grains + 1)
+    PaddedList* list = nullptr;
+    std::size_t first_group = 0, last_group = 0;
+    double acceleration = 0;  ///< A dt^2: contacts accelerate no grain by more than A > 0
+    float horizon = 0;        ///< steps after which rows will have been ordered anew
 };
 
 /// Where the grains of [first_group, last_group) have come since the list was made, and how fast

@@ -32,6 +32,21 @@ constexpr std::size_t grains_ahead = 1024;
 /// From here on no cache keeps the records until the next step.
 constexpr std::size_t fits_in_no_cache = std::size_t{16} * 1024 * 1024;
 
+/// How far contacts may bring two grains nearer, in diameters, before rows are ordered anew, and
+/// how many steps at least and at most that may take. Fewer steps, fewer rows; the optimum is flat.
+constexpr double nearer_by_contacts = 0.1;
+constexpr double fewest_steps_of_order = 8, most_steps_of_order = 256;
+
+/// A list that is good for less than this part of those steps is made anew.
+constexpr double least_part_of_order = 0.25;
+
+/// The limit of accelerations follows them: up when it is exceeded, which costs an order of rows,
+/// down with every other one.
+constexpr double limit_rises = 1.5, limit_falls = 0.97;
+
+/// Accelerations at overlaps of so many diameters are where the limit begins, and its least.
+constexpr double first_overlap = 1e-2, least_overlap = 1e-3;
+
 int useful_threads(const Parameters& p, std::size_t grains) {
     const std::size_t most = std::max<std::size_t>(grains / grains_per_thread, 1);
     return static_cast<int>(std::min(static_cast<std::size_t>(std::max(p.threads, 1)), most));
@@ -50,7 +65,8 @@ SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
       grains_(state_.x.size()), padded_((grains_ + functions.group.lanes - 1) /
                                         functions.group.lanes * functions.group.lanes),
       now_(padded_ + 1), next_(padded_ + 1), listed_(padded_ + 1),
-      lid_overlap_(padded_ / grains_per_block + 1) {
+      lid_overlap_(padded_ / grains_per_block + 1), told_(team_.size()),
+      acceleration_limit_(first_overlap * p_.diameter * p_.stiffness / p_.mass) {
     set_constants();
     for (Places* places : {&places_, &spare_}) {
         places->number.resize(grains_);
@@ -99,21 +115,19 @@ void SimdKernel<Format>::set_units() {
 
 template <class Format>
 void SimdKernel<Format>::run(Function function, Records<Format>& out) {
-    StepTask<Format> task{.constants = &constants_,
-                          .list = &list_,
-                          .in = now_.data(),
-                          .out = out.data(),
-                          .own_x = places_.own_x.data(),
-                          .own_y = places_.own_y.data(),
-                          .grains = grains_,
-                          .ahead =
-                              grains_ * sizeof(Record) > fits_in_cache ? grains_ahead : grains_,
-                          .past_caches = grains_ * sizeof(Record) > fits_in_no_cache,
-                          .closed = closed(),
-                          .lid_overlap = lid_overlap_.data(),
-                          .drift_x = drift_x_,
-                          .drift_y = drift_y_,
-                          .speed_limit_squared = speed_limit_ * speed_limit_};
+    StepTask<Format> task{
+        .constants = &constants_,
+        .list = &list_,
+        .in = now_.data(),
+        .out = out.data(),
+        .own_x = places_.own_x.data(),
+        .own_y = places_.own_y.data(),
+        .grains = grains_,
+        .ahead = grains_ * sizeof(Record) > fits_in_cache ? grains_ahead : grains_,
+        .past_caches = grains_ * sizeof(Record) > fits_in_no_cache,
+        .step = static_cast<float>(steps_of_order_ + 1),
+        .lid_overlap = lid_overlap_.data(),
+        .acceleration_limit_squared = static_cast<Real>(acceleration_limit_ * acceleration_limit_)};
     const double t = static_cast<double>(state_.step) * p_.dt;
     if (p_.bottom) task.bottom = coordinates_.plate(p_.bottom->position(t) + p_.plate_reach);
     if (const auto* plate = std::get_if<MovingPlate>(&p_.lid)) {
@@ -122,22 +136,18 @@ void SimdKernel<Format>::run(Function function, Records<Format>& out) {
         task.lid = coordinates_.plate(state_.lid_height - p_.plate_reach);
     }
     std::fill(lid_overlap_.begin(), lid_overlap_.end(), 0.0);
-    struct alignas(64) Told {
-        bool exceeded = false;
-        std::int64_t rows = 0;
-    };
-    std::vector<Told> told(team_.size());
+    std::fill(told_.begin(), told_.end(), Told{});
     team_.split(groups(), grains_per_block / functions_.group.lanes,
                 [&](std::size_t begin, std::size_t end, std::size_t thread) {
                     StepTask<Format> part = task;
                     part.first_group = begin;
                     part.last_group = end;
-                    part.exceeded = &told[thread].exceeded;
-                    part.rows = &told[thread].rows;
+                    part.exceeded = &told_[thread].exceeded;
+                    part.rows = &told_[thread].rows;
                     function(part);
                 });
     exceeded_ = false;
-    for (const Told& part : told) {
+    for (const Told& part : told_) {
         exceeded_ = exceeded_ || part.exceeded;
         rows_ += part.rows;
     }
@@ -181,48 +191,74 @@ void SimdKernel<Format>::advance(std::int64_t steps) {
     }
 }
 
-/// Gaps of this width may have closed since the list was made: both grains of a pair have moved.
-template <class Format>
-float SimdKernel<Format>::closed() const {
-    return static_cast<float>(2 / within_rounding * moved_);
-}
-
-/// While no grain is faster than the limit relative to the common drift, grains part from their
-/// common displacement by at most limit dt per step. A survey tells how far they really have come.
+/// After every drift: nothing, until it is time to order the rows anew, or contacts have been
+/// stronger than thought.
 template <class Format>
 void SimdKernel<Format>::look_over() {
     ++steps_of_list_;
-    ++steps_since_survey_;
-    moved_ += static_cast<double>(speed_limit_) * p_.dt;
-    if (!exceeded_ && moved_ <= survey_when_moved_) return;
-    const double elapsed = static_cast<double>(steps_since_survey_) * p_.dt;
-    centre_x_ += static_cast<double>(drift_x_) * elapsed;
-    centre_y_ += static_cast<double>(drift_y_) * elapsed;
+    ++steps_of_order_;
+    if (!exceeded_ && steps_of_order_ < horizon_) return;
+    const double least = least_overlap * p_.diameter * p_.stiffness / p_.mass;
+    acceleration_limit_ =
+        std::max(least, acceleration_limit_ * (exceeded_ ? limit_rises : limit_falls));
     Survey s = survey();
-    if (s.largest_distance_squared > skin_ * skin_ / 4) {
+    if (s.largest_distance_squared > skin_ * skin_ / 16) {
         centre_x_ = s.x.middle();
         centre_y_ = s.y.middle();
         s = survey();
     }
-    if (!plan_survey(s)) make_list();
+    const std::int64_t left = steps_left(s);
+    if (s.finite && static_cast<double>(left) >= least_part_of_order * steps_worth_an_order()) {
+        order_rows(left);
+    } else {
+        make_list();
+    }
 }
 
-/// Returns whether the list is good for the next step, too.
+/// For how many steps the list is good, as long as contacts stay within their limit A: grains that
+/// have moved by D relative to the centre, and fly at the speed u relative to each other's middle,
+/// are within D + m u dt + A dt^2 (m + 1)^2/2 of it after m steps, which must not be beyond half
+/// the skin. What moves all grains alike, their mean flight and gravity, does not count, but must
+/// not be more than coordinates allow.
 template <class Format>
-bool SimdKernel<Format>::plan_survey(const Survey& s) {
-    const double speed = std::hypot(s.vx.high - s.vx.low, s.vy.high - s.vy.low) / 2;
-    // Some room for grains that get faster, and for a system at rest that begins to move.
-    const double limit = 1.3 * speed + 4 * p_.gravity * p_.dt + 1e-6 * p_.diameter / p_.dt;
-    drift_x_ = static_cast<Real>(s.vx.middle());
-    drift_y_ = static_cast<Real>(s.vy.middle());
-    speed_limit_ = static_cast<Real>(limit);
-    steps_since_survey_ = 0;
-    moved_ = std::sqrt(s.largest_distance_squared);
-    const double room = within_rounding * skin_ / 2 - moved_;
-    // Not at the end of the room only: the less grains may have moved, the fewer rows matter.
-    survey_when_moved_ = moved_ + std::min(room, std::max(room / 2, skin_ / 16));
-    const double common = std::max(std::abs(centre_x_), std::abs(centre_y_));
-    return s.finite && room > limit * p_.dt && common <= coordinates_.longest_drift();
+std::int64_t SimdKernel<Format>::steps_left(const Survey& s) const {
+    const double moved = std::sqrt(s.largest_distance_squared);
+    const double room = std::max(within_rounding * skin_ / 2 - moved, 0.0);
+    const double by_flight = std::hypot(s.vx.high - s.vx.low, s.vy.high - s.vy.low) / 2 * p_.dt;
+    const double by_contacts = acceleration_limit_ * p_.dt * p_.dt;
+    const double in_room =
+        2 * room / (by_flight + std::sqrt(by_flight * by_flight + 2 * by_contacts * room)) - 1;
+    const double drift = std::max(std::abs(s.vx.middle()), std::abs(s.vy.middle())) +
+                         p_.gravity * p_.dt * most_steps_of_order;
+    const double drifted = std::max(std::abs(centre_x_), std::abs(centre_y_));
+    const double in_bounds = (coordinates_.longest_drift() - drifted) / (drift * p_.dt);
+    // Written so that what is no number is none.
+    const double steps = std::min(in_room, in_bounds);
+    return steps > 0 ? static_cast<std::int64_t>(std::min(steps, most_steps_of_order)) : 0;
+}
+
+template <class Format>
+double SimdKernel<Format>::steps_worth_an_order() const {
+    return std::clamp(std::sqrt(nearer_by_contacts * p_.diameter / acceleration_limit_) / p_.dt,
+                      fewest_steps_of_order, most_steps_of_order);
+}
+
+/// By when they can touch, for as many steps as is worth it, of those that the list is good for.
+template <class Format>
+void SimdKernel<Format>::order_rows(std::int64_t steps_left) {
+    horizon_ =
+        std::clamp<std::int64_t>(steps_left, 1, static_cast<std::int64_t>(steps_worth_an_order()));
+    team_.run([&](std::size_t thread) {
+        functions_.order_rows({.constants = &constants_,
+                               .now = now_.data(),
+                               .list = &list_,
+                               .first_group = groups() * thread / team_.size(),
+                               .last_group = groups() * (thread + 1) / team_.size(),
+                               .acceleration = acceleration_limit_ * p_.dt * p_.dt,
+                               .horizon = static_cast<float>(horizon_)});
+    });
+    steps_of_order_ = 0;
+    ++orders_of_list_;
 }
 
 template <class Format>

@@ -2,8 +2,9 @@
 //   open    half a kick and the drift, from whole steps to the kernel's own rhythm
 //   full    forces, two half kicks, drift; again and again
 //   close   forces and half a kick: back to a whole step, so that the state can be looked at
-// Positions are looked over after every drift and before the next forces. Frames change nothing:
-// open and close round as full does.
+// Positions are looked over after every drift and before the next forces, when it is time to: rows
+// of the neighbour list are ordered by when they can touch, or the list is made anew. Frames change
+// nothing: open and close round as full does.
 #pragma once
 
 #include "native/dem/kernel.hpp"
@@ -40,9 +41,10 @@ class SimdKernel final : public StepKernel {
     void push_lid(int kicks);
     void drift_lid();
     void look_over();
-    [[nodiscard]] float closed() const;
-    [[nodiscard]] bool plan_survey(const Survey& s);
+    [[nodiscard]] std::int64_t steps_left(const Survey& s) const;
     [[nodiscard]] Survey survey();
+    [[nodiscard]] double steps_worth_an_order() const;
+    void order_rows(std::int64_t steps_left);
     void make_list();
     void follow_grains();
     void wrap(std::size_t place);
@@ -78,14 +80,21 @@ class SimdKernel final : public StepKernel {
     double lid_acceleration_ = 0;
     std::vector<double> lid_overlap_;
 
-    double skin_ = 0;               ///< of the present list
-    bool exceeded_ = false;         ///< in the last drift
-    double moved_ = 0;              ///< at most, relative to the common displacement
-    double survey_when_moved_ = 0;  ///< so far
-    Real drift_x_ = 0, drift_y_ = 0, speed_limit_ = 0;  ///< since the last survey
-    double centre_x_ = 0, centre_y_ = 0;                ///< common displacement, at the last survey
-    std::int64_t steps_since_survey_ = 0;
-    std::int64_t steps_of_list_ = 0;
+    /// What a thread has to say of a step.
+    struct alignas(64) Told {
+        bool exceeded = false;
+        std::int64_t rows = 0;
+    };
+    std::vector<Told> told_;  ///< shape (threads)
+
+    double skin_ = 0;                     ///< of the present list
+    double acceleration_limit_;           ///< by contacts, on which the order of rows relies
+    bool exceeded_ = false;               ///< that limit, in the last step
+    double centre_x_ = 0, centre_y_ = 0;  ///< displacement since the list was made, where grains
+                                          ///< are looked for
+    std::int64_t horizon_ = 0;            ///< steps from one order of rows to the next
+    std::int64_t steps_of_order_ = 0, steps_of_list_ = 0;
+    std::int64_t orders_of_list_ = 0;
     std::int64_t rows_ = 0, rows_before_list_ = 0;  ///< looked at, and when the list was made
     std::int64_t evaluations_ = 0, builds_ = 0;
 };

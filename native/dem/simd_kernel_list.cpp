@@ -17,23 +17,24 @@ template <class Format>
 void SimdKernel<Format>::make_list() {
     if (builds_ > 0 && p_.skin == 0) {
         const auto rows = static_cast<double>(rows_ - rows_before_list_);
-        tuning_.list_has_lasted(steps_of_list_, rows / static_cast<double>(groups()));
+        tuning_.list_has_lasted(steps_of_list_, orders_of_list_,
+                                rows / static_cast<double>(groups()));
     }
     follow_grains();
     skin_ = tuning_.skin();
     sort_and_list();
     ++builds_;
-    steps_of_list_ = 0;
+    steps_of_list_ = orders_of_list_ = 0;
     rows_before_list_ = rows_;
     centre_x_ = centre_y_ = 0;
     const Survey s = survey();
-    // A list may be good for this step only.
-    static_cast<void>(plan_survey(s));
-    const double step = static_cast<double>(speed_limit_) * p_.dt;
+    const double step = std::hypot(s.vx.high - s.vx.low, s.vy.high - s.vy.low) * p_.dt;
     if (!s.finite || step > coordinates_.longest_drift()) {
         throw TrajectoryError(fmt::format("a grain moves by {:g} in the step at t = {:g}", step,
                                           static_cast<double>(state_.step) * p_.dt));
     }
+    // It may be good for this step only.
+    order_rows(steps_left(s));
 }
 
 /// Where the grains have come, within the period.

@@ -168,7 +168,19 @@ struct Lanes<MixedFormat> {
     }
     /// position + steps velocity, `steps` = dt/unit.
     static HWY_INLINE P Drift(P position, V velocity, V steps) {
-        return hn::Add(position, hn::NearestInt(hn::Mul(velocity, steps)));
+        return hn::Add(position, Nearest(hn::Mul(velocity, steps)));
+    }
+
+  private:
+    /// NearestInt without its care for what is beyond all integers, which is an error anyhow.
+    static HWY_INLINE P Nearest(V v) {
+#if HWY_TARGET <= HWY_AVX3
+        return P{_mm512_cvtps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_AVX2
+        return P{_mm256_cvtps_epi32(v.raw)};
+#else
+        return hn::NearestInt(v);
+#endif
     }
 };
 

@@ -21,6 +21,7 @@
 
 #include "native/dem/simd_contacts-inl.hpp"
 #include "native/dem/simd_lanes-inl.hpp"
+#include "native/dem/simd_row_order-inl.hpp"
 #include "native/dem/simd_survey-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -73,24 +74,22 @@ HWY_INLINE void AddPlates(const StepTask<Format>& task, const StepConstants<Form
     }
 }
 
-/// Whether a grain moves by more than the task's limit relative to the common drift.
+/// Whether contacts accelerate a grain by more than the task's limit.
 template <class Format>
-class SpeedWatch {
-    using L = Lanes<Format>;
-    using D = typename L::D;
-    using V = typename L::V;
+class AccelerationWatch {
+    using D = typename Lanes<Format>::D;
+    using V = typename Lanes<Format>::V;
 
   public:
-    HWY_INLINE explicit SpeedWatch(const StepTask<Format>& task)
-        : task_(task), drift_x_(hn::Set(D(), task.drift_x)), drift_y_(hn::Set(D(), task.drift_y)),
-          limit_(hn::Set(D(), task.speed_limit_squared)),
+    HWY_INLINE explicit AccelerationWatch(const StepTask<Format>& task)
+        : task_(task), gravity_(hn::Set(D(), task.constants->gravity)),
+          limit_(hn::Set(D(), task.acceleration_limit_squared)),
           within_(hn::Eq(hn::Zero(D()), hn::Zero(D()))) {}
 
-    HWY_INLINE void Look(V vx, V vy) {
-        const auto x = hn::Sub(vx, drift_x_);
-        const auto y = hn::Sub(vy, drift_y_);
-        // Written so that a speed that is no number is not within.
-        within_ = hn::And(within_, hn::Le(hn::MulAdd(x, x, hn::Mul(y, y)), limit_));
+    HWY_INLINE void Look(V ax, V ay) {
+        const auto y = hn::Add(ay, gravity_);
+        // Written so that what is no number is not within.
+        within_ = hn::And(within_, hn::Le(hn::MulAdd(ax, ax, hn::Mul(y, y)), limit_));
     }
     HWY_INLINE void Tell() const {
         if (!hn::AllTrue(D(), within_)) *task_.exceeded = true;
@@ -98,7 +97,7 @@ class SpeedWatch {
 
   private:
     const StepTask<Format>& task_;
-    V drift_x_, drift_y_, limit_;
+    V gravity_, limit_;
     hn::Mask<D> within_;
 };
 
@@ -106,14 +105,14 @@ class SpeedWatch {
 template <class Kind, bool crosses>
 HWY_INLINE std::int64_t
 AddRows(ContactForces<Kind>& forces, const StepTask<typename Kind::Format>& task,
-        const std::uint32_t* HWY_RESTRICT row, const float* HWY_RESTRICT gap) {
+        const std::uint32_t* HWY_RESTRICT row, const float* HWY_RESTRICT due) {
     using L = Lanes<typename Kind::Format>;
-    const float closed = task.closed;
+    const float step = task.step;
     // Ends before the first row that cannot touch yet.
-    const float* const first = gap;
-    for (; *gap <= closed; ++gap, row += hn::Lanes(typename L::D()))
+    const float* const first = due;
+    for (; *due <= step; ++due, row += hn::Lanes(typename L::D()))
         forces.template Add<crosses>(L::Neighbours::Load(task.in, row));
-    return gap - first;
+    return due - first;
 }
 
 /// Half a kick from `vx, vy`, the drift, and the velocities that the next dashpots see.
@@ -122,13 +121,13 @@ HWY_INLINE void KickAndDrift(
     const StepTask<typename Kind::Format>& task, const StepConstants<typename Kind::Format>& c,
     std::size_t first, Lanes<typename Kind::Format>& i, typename Lanes<typename Kind::Format>::V vx,
     typename Lanes<typename Kind::Format>::V vy, typename Lanes<typename Kind::Format>::V ax,
-    typename Lanes<typename Kind::Format>::V ay, SpeedWatch<typename Kind::Format>& watch) {
+    typename Lanes<typename Kind::Format>::V ay, AccelerationWatch<typename Kind::Format>& watch) {
     using L = Lanes<typename Kind::Format>;
     const typename L::D d;
     const auto half = hn::Set(d, c.dt / 2);
+    watch.Look(ax, ay);
     i.vx = hn::MulAdd(ax, half, vx);
     i.vy = hn::MulAdd(ay, half, vy);
-    watch.Look(i.vx, i.vy);
     i.x = L::Drift(i.x, i.vx, hn::Set(d, c.steps_x));
     i.y = L::Drift(i.y, i.vy, hn::Set(d, c.steps_y));
     if constexpr (Kind::predicted) {
@@ -143,7 +142,7 @@ template <class Kind>
 void OpenStep(const StepTask<typename Kind::Format>& task) {
     using L = Lanes<typename Kind::Format>;
     const typename L::D d;
-    SpeedWatch<typename Kind::Format> watch(task);
+    AccelerationWatch<typename Kind::Format> watch(task);
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
         const std::size_t first = group * hn::Lanes(d);
         L i = L::LoadGroup(task.in + first);
@@ -178,7 +177,7 @@ void ForceStep(const StepTask<typename Kind::Format>& given) {
     const std::size_t lanes = hn::Lanes(d);
     const auto inverse_mass = hn::Set(d, c.inverse_mass);
     const auto half = hn::Set(d, c.dt / 2);
-    SpeedWatch<Format> watch(task);
+    AccelerationWatch<Format> watch(task);
     ContactForces<Kind> forces(c);
     std::int64_t looked_at = 0;
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
@@ -187,11 +186,11 @@ void ForceStep(const StepTask<typename Kind::Format>& given) {
         forces.Begin(task.in + first);
         const std::size_t first_row = task.list->first_row[group];
         const auto* row = task.list->offsets.data() + first_row * lanes;
-        const auto* gap = task.list->gaps.data() + first_row + group;
+        const auto* due = task.list->due.data() + first_row + group;
         if (std::is_same_v<Format, DoubleFormat> && task.list->crosses[group] != 0) {
-            looked_at += AddRows<Kind, true>(forces, task, row, gap);
+            looked_at += AddRows<Kind, true>(forces, task, row, due);
         } else {
-            looked_at += AddRows<Kind, false>(forces, task, row, gap);
+            looked_at += AddRows<Kind, false>(forces, task, row, due);
         }
         L i = forces.End(task.in + first);
         auto fy = forces.Y();
@@ -230,6 +229,7 @@ StepFunctions<typename Kind::Format> FunctionsOf() {
             .open = OpenStep<Kind>,
             .full = ForceStep<Kind, Ending::full_step>,
             .close = ForceStep<Kind, Ending::half_kick>,
+            .order_rows = OrderRows<typename Kind::Format>,
             .survey = SurveyGroups<typename Kind::Format>};
 }
 

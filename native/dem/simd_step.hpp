@@ -18,6 +18,8 @@ struct StepFunctions {
     Function full = nullptr;
     /// Forces at n+1 and half a kick: to (x_{n+1}, v_{n+1}, a_{n+1}).
     Function close = nullptr;
+    /// Of the neighbour list.
+    void (*order_rows)(const RowOrderTask<Format>&) = nullptr;
     Survey (*survey)(const SurveyTask<Format>&) = nullptr;
 };
 
