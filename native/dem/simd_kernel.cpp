@@ -44,8 +44,8 @@ constexpr double least_part_of_order = 0.25;
 /// down with every other one.
 constexpr double limit_rises = 1.5, limit_falls = 0.97;
 
-/// Accelerations at overlaps of so many diameters are where the limit begins, and its least.
-constexpr double first_overlap = 1e-2, least_overlap = 1e-3;
+/// What the limit is at least: the acceleration at an overlap of so many diameters.
+constexpr double least_overlap = 1e-3;
 
 int useful_threads(const Parameters& p, std::size_t grains) {
     const std::size_t most = std::max<std::size_t>(grains / grains_per_thread, 1);
@@ -66,7 +66,8 @@ SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
                                         functions.group.lanes * functions.group.lanes),
       now_(padded_ + 1), next_(padded_ + 1), listed_(padded_ + 1),
       lid_overlap_(padded_ / grains_per_block + 1), told_(team_.size()),
-      acceleration_limit_(first_overlap * p_.diameter * p_.stiffness / p_.mass) {
+      least_acceleration_limit_(least_overlap * p_.diameter * p_.stiffness / p_.mass),
+      acceleration_limit_(least_acceleration_limit_) {
     set_constants();
     for (Places* places : {&places_, &spare_}) {
         places->number.resize(grains_);
@@ -86,6 +87,10 @@ SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
     // Only for the accelerations; nothing has moved yet.
     run(functions_.close, next_);
     push_lid(0);
+    for (std::size_t i = 0; i < padded_; ++i) {
+        const double ax = places_.own_x[i], ay = places_.own_y[i] + p_.gravity;
+        acceleration_limit_ = std::max(acceleration_limit_, limit_rises * std::hypot(ax, ay));
+    }
 }
 
 template <class Format>
@@ -198,9 +203,8 @@ void SimdKernel<Format>::look_over() {
     ++steps_of_list_;
     ++steps_of_order_;
     if (!exceeded_ && steps_of_order_ < horizon_) return;
-    const double least = least_overlap * p_.diameter * p_.stiffness / p_.mass;
-    acceleration_limit_ =
-        std::max(least, acceleration_limit_ * (exceeded_ ? limit_rises : limit_falls));
+    acceleration_limit_ = std::max(least_acceleration_limit_,
+                                   acceleration_limit_ * (exceeded_ ? limit_rises : limit_falls));
     Survey s = survey();
     if (s.largest_distance_squared > skin_ * skin_ / 16) {
         centre_x_ = s.x.middle();

@@ -88,6 +88,7 @@ class SimdKernel final : public StepKernel {
     std::vector<Told> told_;  ///< shape (threads)
 
     double skin_ = 0;                     ///< of the present list
+    double least_acceleration_limit_;
     double acceleration_limit_;           ///< by contacts, on which the order of rows relies
     bool exceeded_ = false;               ///< that limit, in the last step
     double centre_x_ = 0, centre_y_ = 0;  ///< displacement since the list was made, where grains

@@ -155,14 +155,22 @@ void OpenStep(const StepTask<typename Kind::Format>& task) {
 }
 
 /// A window of the list is sorted by number of neighbours: the first to ask for its records ask in
-/// no order that a processor foresees.
+/// no order that a processor foresees. Nor does it foresee which rows are due.
 template <class Format>
-HWY_INLINE void PrefetchGroup(const typename Format::Record* first) {
+HWY_INLINE void PrefetchGroup(const StepTask<Format>& task, std::size_t group) {
     constexpr std::size_t line = CacheLineAllocator<typename Format::Record>::bytes;
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(first);
-    const std::size_t size = hn::Lanes(typename Lanes<Format>::D()) * sizeof(*first);
-    for (std::size_t offset = 0; offset < size; offset += line)
-        hwy::Prefetch(bytes + offset);
+    constexpr std::size_t rows_likely_due = 3;
+    const std::size_t lanes = hn::Lanes(typename Lanes<Format>::D());
+    const auto* records = reinterpret_cast<const std::uint8_t*>(task.in + group * lanes);
+    for (std::size_t offset = 0; offset < lanes * sizeof(*task.in); offset += line)
+        hwy::Prefetch(records + offset);
+    const std::size_t first_row = task.list->first_row[group];
+    hwy::Prefetch(task.list->due.data() + first_row + group);
+    const auto* rows =
+        reinterpret_cast<const std::uint8_t*>(task.list->offsets.data() + first_row * lanes);
+    for (std::size_t offset = 0; offset < rows_likely_due * lanes * sizeof(std::uint32_t);
+         offset += line)
+        hwy::Prefetch(rows + offset);
 }
 
 /// Forces on the groups of the task and what follows from them.
@@ -182,7 +190,7 @@ void ForceStep(const StepTask<typename Kind::Format>& given) {
     std::int64_t looked_at = 0;
     for (std::size_t group = task.first_group; group < task.last_group; ++group) {
         const std::size_t first = group * lanes;
-        if (first + task.ahead < task.grains) PrefetchGroup<Format>(task.in + first + task.ahead);
+        if (first + task.ahead < task.grains) PrefetchGroup(task, group + task.ahead / lanes);
         forces.Begin(task.in + first);
         const std::size_t first_row = task.list->first_row[group];
         const auto* row = task.list->offsets.data() + first_row * lanes;
