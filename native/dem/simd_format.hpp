@@ -76,8 +76,8 @@ struct GroupShape {
 /// touch first come first, as of the step at which rows were last ordered (simd_row_order-inl.hpp):
 /// a row matters only when it is due.
 struct PaddedList {
-    std::vector<std::uint32_t> first_row;  ///< shape (groups + 1)
-    std::vector<std::uint32_t> offsets;    ///< shape (rows, lanes)
+    std::vector<std::uint32_t> first_row;                                   ///< shape (groups + 1)
+    std::vector<std::uint32_t, CacheLineAllocator<std::uint32_t>> offsets;  ///< shape (rows, lanes)
     std::vector<float> due;  ///< shape (rows + groups): steps from that one, which is step 1, to
                              ///< the first in which a pair of a row, or of one behind it, can
                              ///< touch; infinity behind the last row of a group

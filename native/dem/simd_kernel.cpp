@@ -91,6 +91,8 @@ SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
         const double ax = places_.own_x[i], ay = places_.own_y[i] + p_.gravity;
         acceleration_limit_ = std::max(acceleration_limit_, limit_rises * std::hypot(ax, ay));
     }
+    // The order relies on the limit.
+    order_rows(steps_left(survey()));
 }
 
 template <class Format>
