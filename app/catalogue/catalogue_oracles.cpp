@@ -18,13 +18,16 @@ using scene::SyntheticSignal;
 
 /// The first pair of a scene of isolated pairs, as two bodies.
 analytic::ObliqueContact contact_of(const Scene& scene) {
-    const double m = scene.grains.mass;
+    if (scene.contact.friction) throw std::domain_error("no closed form with friction");
     const bool partner_frozen = scene.has_frozen_grains() && scene.initial.frozen.at(1);
-    const double partner = partner_frozen ? std::numeric_limits<double>::infinity() : m;
+    const double partner =
+        partner_frozen ? std::numeric_limits<double>::infinity() : scene.grains.mass_of(1);
+    const double reduced_mass = analytic::reduced_mass(scene.grains.mass_of(0), partner);
+    const bool per_mass = scene.contact.damping_scale == scene::DampingScale::effective_mass;
     return {.stiffness = scene.contact.stiffness,
-            .damping = scene.contact.damping,
-            .reduced_mass = analytic::reduced_mass(m, partner),
-            .diameter = scene.grains.diameter,
+            .damping = scene.contact.damping * (per_mass ? reduced_mass : 1),
+            .reduced_mass = reduced_mass,
+            .diameter = (scene.grains.diameter_of(0) + scene.grains.diameter_of(1)) / 2,
             .damping_acts_on = scene.contact.damping_acts_on == scene::Damping::full_vector
                                    ? analytic::Damping::full_vector
                                    : analytic::Damping::normal_only,

@@ -5,6 +5,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
+#include <string>
+
 using namespace crossgrain;
 
 namespace {
@@ -42,6 +45,28 @@ BOOST_AUTO_TEST_CASE(restitution_of_the_shipped_variants) {
     BOOST_TEST(value(1) == 0.80809934, boost::test_tools::tolerance(1e-8));
     BOOST_TEST(value(2) == value(1), boost::test_tools::tolerance(1e-14));
     BOOST_TEST(value(3) > value(0));
+}
+
+BOOST_AUTO_TEST_CASE(pairs_of_unequal_size_have_their_own_reduced_mass) {
+    const auto the_case = shipped("size-ratio");
+    const auto value = [&](const std::string& oracle, std::size_t variant) {
+        return app::exact_value(oracle, the_case.grain_scene(variant, 0, 1));
+    };
+    // The contact time grows as the root of the reduced mass, from 0.1 of two equal discs; turning
+    // the normal off centre changes it by some parts in a thousand.
+    const auto off_centre = boost::test_tools::tolerance(5e-3);
+    BOOST_TEST(value("analytic:contact_time", 1).value() == 0.1 * std::sqrt(2 * 27.0 / 28),
+               off_centre);
+    BOOST_TEST(value("analytic:contact_time", 3).value() == 0.1 * std::sqrt(2 * 1000.0 / 1001),
+               off_centre);
+    // Dashpots are per effective mass: ln e is proportional to the contact time.
+    BOOST_TEST(std::log(value("analytic:restitution", 0).value()) ==
+                   std::log(0.8) * std::sqrt(2 * 27.0 / 28),
+               boost::test_tools::tolerance(2e-2));
+    BOOST_TEST(value("analytic:restitution", 1).value() == 1.0, boost::test_tools::tolerance(1e-9));
+    // With friction there is none.
+    BOOST_TEST(!value("analytic:restitution", 4).has_value());
+    BOOST_TEST(!value("analytic:contact_time", 4).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_a_hint) {

@@ -33,8 +33,12 @@ std::optional<double> time_to_circle(double x, double y, double vx, double vy, d
 PairCollision::PairCollision(const scene::Scene& scene)
     : applicable_(scene.gravity == 0 && !has_plates(scene.plates) && scene.grain_count() > 0 &&
                   scene.grain_count() % 2 == 0),
-      pairs_(scene.grain_count() / 2), diameter_(scene.grains.diameter),
-      period_x_(scene.periodic_x), period_y_(scene.periodic_y) {}
+      pairs_(scene.grain_count() / 2), period_x_(scene.periodic_x), period_y_(scene.periodic_y) {
+    for (std::size_t k = 0; k < pairs_; ++k) {
+        reach_.push_back((scene.grains.diameter_of(2 * k) + scene.grains.diameter_of(2 * k + 1)) /
+                         2);
+    }
+}
 
 void PairCollision::choose_images(const scene::Frame& frame) {
     for (std::size_t k = 0; k < pairs_; ++k) {
@@ -67,8 +71,7 @@ void PairCollision::add(const scene::Frame& frame) {
 }
 
 std::optional<PairCollision::Collision> PairCollision::collision(const Flight& first,
-                                                                 const Flight& last) const {
-    const double d = diameter_;
+                                                                 const Flight& last, double d) {
     const auto until = time_to_circle(first.x, first.y, first.vx, first.vy, d);
     // Backwards in time the outgoing flight is an incoming one.
     const auto since = time_to_circle(last.x, last.y, -last.vx, -last.vy, d);
@@ -100,7 +103,8 @@ void PairCollision::finish(Results& results) {
     if (!applicable_ || first_.empty()) return;
     std::vector<Collision> complete;
     for (std::size_t k = 0; k < last_.size(); ++k) {
-        if (const auto found = collision(first_[k], last_[k])) complete.push_back(*found);
+        if (const auto found = collision(first_[k], last_[k], reach_[k]))
+            complete.push_back(*found);
     }
     results.measurements.push_back({.observable = "complete_collisions",
                                     .value = static_cast<double>(complete.size()),

@@ -2,8 +2,8 @@
 // before and after the contact.
 //
 // Relative motion r = x_{2k+1} - x_{2k}, v = dr/dt. Both free flights are extrapolated to the
-// circle |r| = d, which gives t_in, n_in = r_in/d and t_out, n_out = r_out/d without any error of
-// sampling. Then (reduced units)
+// circle |r| = d, the mean of both diameters, which gives t_in, n_in = r_in/d and t_out, n_out =
+// r_out/d without any error of sampling. Then (reduced units)
 //   restitution              e   = -(v_out . n_out) / (v_in . n_in)
 //   contact time             t_c = t_out - t_in
 //   angular momentum ratio   (r_out x v_out) / (r_in x v_in)
@@ -64,12 +64,14 @@ class PairCollision final : public Estimator {
 
     [[nodiscard]] std::vector<Flight> flights(const scene::Frame& frame) const;
     void choose_images(const scene::Frame& frame);
-    [[nodiscard]] std::optional<Collision> collision(const Flight& first, const Flight& last) const;
+    /// Of two grains that touch at the distance d.
+    [[nodiscard]] static std::optional<Collision> collision(const Flight& first, const Flight& last,
+                                                            double d);
     static void add_complete(const std::vector<Collision>& complete, Results& results);
 
     bool applicable_ = false;
     std::size_t pairs_ = 0;
-    double diameter_ = 0;
+    std::vector<double> reach_;  ///< distance at which a pair touches, shape (pairs)
     std::optional<double> period_x_, period_y_;
     std::vector<double> shift_x_, shift_y_;  ///< to the image met, shape (pairs)
     std::vector<Flight> first_, last_;       ///< shape (pairs)

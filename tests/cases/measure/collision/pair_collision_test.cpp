@@ -126,6 +126,25 @@ BOOST_AUTO_TEST_CASE(oblique_collision_uses_both_normals) {
     BOOST_TEST(column(results, "collisions", "impact_parameter")[0] == 0.6, roundings);
 }
 
+BOOST_AUTO_TEST_CASE(grains_of_unequal_size_touch_at_their_own_distance) {
+    const Planned p{.b = 0.5, .restitution = 0.75, .tangential = 0.6};
+    std::vector<SyntheticFrame> frames;
+    for (const double t : {0.0, 1.2}) {
+        SyntheticFrame frame{.time = t};
+        add_pair(frame, p, 0, 0);
+        frames.push_back(std::move(frame));
+    }
+    auto scene = plain_scene(2);
+    scene.grains.diameter = 1;
+    scene.grains.diameters = {1, 3};  // d on average
+    scene.grains.masses = {1, 27};
+    BOOST_TEST(get(run(scene, frames), "restitution").value == 0.75, roundings);
+    BOOST_TEST(get(run(scene, frames), "contact_time").value == 0.1, roundings);
+    // Grains that touch elsewhere are not these.
+    scene.grains.diameters = {1, 1};
+    BOOST_TEST(find(run(scene, frames), "restitution") == nullptr);
+}
+
 BOOST_AUTO_TEST_CASE(frozen_partner) {
     auto scene = plain_scene(2);
     scene.initial.frozen = {true, false};
