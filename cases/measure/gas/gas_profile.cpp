@@ -1,13 +1,13 @@
 #include "cases/measure/gas/gas_profile.hpp"
 
 #include "cases/measure/gas/gas_window.hpp"
+#include "cases/measure/gas/wave_profile.hpp"
 #include "native/base/random.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -76,35 +76,7 @@ std::vector<float> merge_down(std::size_t bins, std::vector<float> fields, std::
     return fields;
 }
 
-// Distance from the peak, in bins, at which the profile first falls to `level` in a direction.
-std::optional<double> distance_to(const std::vector<double>& profile, std::size_t peak,
-                                  double level, bool forward) {
-    const std::size_t bins = profile.size();
-    double before = profile[peak];
-    for (std::size_t d = 1; d < bins; ++d) {
-        const double here = profile[(forward ? peak + d : peak + bins - d) % bins];
-        if (here <= level) return static_cast<double>(d - 1) + (before - level) / (before - here);
-        before = here;
-    }
-    return std::nullopt;
-}
-
 }  // namespace
-
-std::optional<WaveShape> wave_shape(const std::vector<double>& profile) {
-    const auto peak = static_cast<std::size_t>(std::ranges::max_element(profile) - profile.begin());
-    const double height = profile[peak];
-    if (!(height > 0)) return std::nullopt;
-    const auto level = [&](double share, bool forward) {
-        return distance_to(profile, peak, share * height, forward);
-    };
-    const auto front_half = level(0.5, true), back_half = level(0.5, false);
-    const auto front_foot = level(0.25, true), back_foot = level(0.25, false);
-    if (!front_half || !back_half || !front_foot || !back_foot) return std::nullopt;
-    const double front = *front_foot - *level(0.75, true);
-    const double back = *back_foot - *level(0.75, false);
-    return WaveShape{height, *front_half + *back_half, back / front};
-}
 
 GasProfile::GasProfile(const scene::GasSampling& sampling, GasProfileOptions options)
     : sampling_(sampling), options_(options), shape_{static_cast<std::size_t>(sampling.bins()),
@@ -147,8 +119,8 @@ std::vector<float> GasProfile::groups_of(std::vector<float> profiles) const {
     return merge_down(shape_.bins, std::move(kept), groups);
 }
 
-// Profiles of the groups, shape (groups)(bins), moved onto the merger of all of them, whose peak
-// comes to bin bins/2.
+// Profiles of the groups over the mean, shape (groups)(bins), moved onto the merger of all of them,
+// whose peak comes to bin bins/2.
 std::vector<std::vector<double>> GasProfile::aligned(const Ladder& ladder) const {
     const std::vector<float> groups = groups_of(*ladder.waiting.back());
     const std::vector<float> whole = merge_down(shape_.bins, groups, 1);
@@ -164,7 +136,7 @@ std::vector<std::vector<double>> GasProfile::aligned(const Ladder& ladder) const
         const std::size_t shift = best_shift(one, overlap, 0).bins;
         std::vector<double> moved;
         for (std::size_t x = 0; x < bins; ++x)
-            moved.push_back(double{profile[(x + peak + shift + bins - bins / 2) % bins]});
+            moved.push_back(double{profile[(x + peak + shift + bins - bins / 2) % bins]} / mean_);
         result.push_back(std::move(moved));
     }
     return result;
@@ -172,49 +144,21 @@ std::vector<std::vector<double>> GasProfile::aligned(const Ladder& ladder) const
 
 void GasProfile::finish(Results& results) {
     if (frame_ < options_.fields || mean_ <= 0) return;
-    const auto waves = aligned(fields_), nulls = aligned(shuffled_);
+    const AlignedProfiles profiles{aligned(fields_), aligned(shuffled_)};
     const double sites = static_cast<double>(sampling_.bin) * sampling_.width;
-    Series series{.name = "profile",
-                  .columns = {"X", "density", "err", "null"},
-                  .values = std::vector<std::vector<double>>(4),
-                  .units = {"sites", "1/site", "1/site", "1/site"}};
-    for (std::size_t x = 0; x < shape_.bins; ++x) {
-        std::vector<double> here, null;
-        for (std::size_t g = 0; g < waves.size(); ++g) {
-            here.push_back(waves[g][x]);
-            null.push_back(nulls[g][x]);
-        }
-        const MeanWithError mean = mean_with_error(here);
-        const double position = static_cast<double>(x) - static_cast<double>(shape_.bins / 2);
-        series.values[0].push_back(position * sampling_.bin);
-        series.values[1].push_back((mean_ + mean.value) / sites);
-        series.values[2].push_back(mean.standard_error / sites);
-        series.values[3].push_back((mean_ + mean_with_error(null).value) / sites);
-    }
-    results.series.push_back(std::move(series));
-
-    std::vector<double> amplitudes, null_amplitudes, excess, widths, scaled, steepness;
-    std::size_t sharper = 0;
-    for (std::size_t g = 0; g < waves.size(); ++g) {
-        amplitudes.push_back(std::ranges::max(waves[g]) / mean_);
-        null_amplitudes.push_back(std::ranges::max(nulls[g]) / mean_);
-        excess.push_back(amplitudes.back() - null_amplitudes.back());
-        const auto shape = wave_shape(waves[g]);
-        if (!shape) continue;
-        widths.push_back(shape->width * sampling_.bin);
+    results.series.push_back(profile_series(profiles, {.bin = static_cast<double>(sampling_.bin),
+                                                       .density = mean_ / sites,
+                                                       .length_unit = "sites",
+                                                       .density_unit = "1/site"}));
+    const std::vector<WaveShape> shapes = append_profile(profiles, results);
+    if (shapes.size() < profiles.waves.size()) return;
+    std::vector<double> widths, scaled;
+    for (const WaveShape& shape : shapes) {
+        widths.push_back(shape.width * sampling_.bin);
         scaled.push_back(widths.back() / sampling_.length);
-        steepness.push_back(std::log(shape->steepness));
-        if (shape->steepness > 1) ++sharper;
     }
-    auto& out = results.measurements;
-    out.push_back(over_replicas("profile_amplitude", amplitudes, "1"));
-    out.push_back(over_replicas("profile_null_amplitude", null_amplitudes, "1"));
-    out.push_back(over_replicas("profile_excess", excess, "1"));
-    if (widths.size() < waves.size()) return;
-    out.push_back(over_replicas("profile_width", widths, "sites"));
-    out.push_back(over_replicas("profile_width_over_length", scaled, "1"));
-    out.push_back(over_replicas("profile_asymmetry", steepness, "1"));
-    out.push_back(fraction("profile_front_sharper", sharper, waves.size()));
+    results.measurements.push_back(over_replicas("profile_width", widths, "sites"));
+    results.measurements.push_back(over_replicas("profile_width_over_length", scaled, "1"));
 }
 
 }  // namespace crossgrain::measure

@@ -27,26 +27,9 @@ struct GasProfileOptions {
                                  ///< two per group are left out
 };
 
-/// Wave shape of a profile, shape (bins).
-struct WaveShape {
-    double amplitude = 0;  ///< greatest density above the mean
-    double width = 0;      ///< full width at half of it, bins
-    double steepness = 0;  ///< slope of the front over that of the back, each between 25 and 75 %
-};
-
-/// `profile` is the density minus its mean, the wave moving towards larger indices. Nothing for a
-/// flat profile or one that falls to 25 % of its height on neither side within the pipe.
-[[nodiscard]] std::optional<WaveShape> wave_shape(const std::vector<double>& profile);
-
-/// Series "profile": X (sites, 0 at the peak), density (particles per site, the mean included),
-/// err, null (the same of the shuffled fields). Measurements, over groups:
-/// - `profile_amplitude`: peak above the mean over the mean;
-/// - `profile_null_amplitude`: the same of the shuffled fields;
-/// - `profile_excess`: amplitude minus null amplitude;
-/// - `profile_width`: full width at half maximum, sites; `profile_width_over_length`;
-/// - `profile_asymmetry`: logarithm of the slope of the front over that of the back; 0 if symmetric
-///   (the ratio itself, with noise, has a mean above 1);
-/// - `profile_front_sharper`: share of the groups whose front is steeper than their back.
+/// Series "profile" and the measurements of append_profile (wave_profile.hpp) over groups, in sites
+/// and particles per site, and the full width at half maximum: `profile_width` (sites) and
+/// `profile_width_over_length`.
 /// Nothing if the run ended before the last field.
 class GasProfile final : public GasEstimator {
   public:

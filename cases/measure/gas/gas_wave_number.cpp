@@ -1,14 +1,13 @@
 #include "cases/measure/gas/gas_wave_number.hpp"
 
+#include "cases/measure/gas/wave_numbers.hpp"
 #include "cases/measure/statistics/mean_with_error.hpp"
-#include "cases/measure/statistics/power_law.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <utility>
 
 namespace crossgrain::measure {
 namespace {
@@ -69,25 +68,6 @@ void GasWaveNumber::add(const scene::GasFrame& frame) {
         transform(frame, r);
 }
 
-void GasWaveNumber::add_exponent(Results& results) const {
-    const auto k_min = static_cast<int>(options_.k_min), k_max = static_cast<int>(options_.k_max);
-    const auto slope = slope_of_mean(spectra_, k_min, k_max);
-    if (!slope) return;
-    double least = slope->value, most = slope->value;
-    for (const auto& [low, high] : {std::pair{k_min, k_max / 2}, std::pair{2 * k_min, k_max}}) {
-        const auto other = log_log_slope(mean_spectrum(spectra_), low, high);
-        if (!other) continue;
-        least = std::min(least, *other);
-        most = std::max(most, *other);
-    }
-    results.measurements.push_back({.observable = "wave_number_exponent",
-                                    .value = slope->value,
-                                    .standard_error = slope->standard_error,
-                                    .systematic = (most - least) / 2,
-                                    .n = replicas_,
-                                    .settings = {{"k_min", k_min}, {"k_max", k_max}}});
-}
-
 void GasWaveNumber::finish(Results& results) {
     const double particles = mean_with_error(particles_).value;
     if (frame_ < sampling_.frames() || particles == 0) return;
@@ -96,17 +76,9 @@ void GasWaveNumber::finish(Results& results) {
         for (double& value : spectrum)
             value /= particles;
     }
-    Series series{.name = "wave-numbers", .columns = {"k", "S", "err"}, .values = {{}, {}, {}}};
-    std::vector<double> own(replicas_);
-    for (std::size_t k = 1; k <= bins_ / 2; ++k) {
-        for (std::size_t r = 0; r < replicas_; ++r)
-            own[r] = spectra_[r][k];
-        const MeanWithError s = mean_with_error(own);
-        series.values[0].push_back(static_cast<double>(k));
-        series.values[1].push_back(s.value);
-        series.values[2].push_back(s.standard_error);
-    }
-    add_exponent(results);
+    Series series = wave_number_series(spectra_);
+    append_wave_number_exponent(spectra_, static_cast<int>(options_.k_min),
+                                static_cast<int>(options_.k_max), results);
     const auto& s = series.values[1];
     std::vector<double> sorted = s;
     std::ranges::sort(sorted);

@@ -36,7 +36,6 @@ class GasWaveNumber final : public GasEstimator {
 
   private:
     void transform(const scene::GasFrame& frame, std::size_t replica);
-    void add_exponent(Results& results) const;
 
     scene::GasSampling sampling_;
     GasWaveNumberOptions options_;

@@ -1,9 +1,7 @@
 #include "cases/measure/pipe/pipe_profile.hpp"
 
-#include "cases/measure/gas/gas_profile.hpp"
-#include "cases/measure/gas/gas_window.hpp"
+#include "cases/measure/gas/wave_profile.hpp"
 #include "cases/measure/pipe/pipe_modes.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "native/base/random.hpp"
 
 #include <algorithm>
@@ -86,44 +84,10 @@ std::vector<std::vector<double>> PipeProfile::profiles(bool shuffled) const {
 void PipeProfile::finish(Results& results) {
     const PipeRecord& record = recorder_.record();
     if (record.frames() < fewest_pipe_frames) return;
-    const auto waves = profiles(false), nulls = profiles(true);
-    Series series{.name = "profile",
-                  .columns = {"X", "density", "err", "null"},
-                  .values = std::vector<std::vector<double>>(4),
-                  .units = {"l", "1", "1", "1"}};
-    for (std::size_t x = 0; x < record.bins; ++x) {
-        std::vector<double> here, null;
-        for (std::size_t p = 0; p < waves.size(); ++p) {
-            here.push_back(1 + waves[p][x]);
-            null.push_back(1 + nulls[p][x]);
-        }
-        const MeanWithError density = mean_with_error(here);
-        const double position = static_cast<double>(x) - static_cast<double>(record.bins / 2);
-        series.values[0].push_back(position * record.bin);
-        series.values[1].push_back(density.value);
-        series.values[2].push_back(density.standard_error);
-        series.values[3].push_back(mean_with_error(null).value);
-    }
-    results.series.push_back(std::move(series));
-
-    std::vector<double> amplitudes, null_amplitudes, excess, steepness;
-    std::size_t sharper = 0;
-    for (std::size_t p = 0; p < waves.size(); ++p) {
-        amplitudes.push_back(std::ranges::max(waves[p]));
-        null_amplitudes.push_back(std::ranges::max(nulls[p]));
-        excess.push_back(amplitudes.back() - null_amplitudes.back());
-        const auto shape = wave_shape(waves[p]);
-        if (!shape) continue;
-        steepness.push_back(std::log(shape->steepness));
-        if (shape->steepness > 1) ++sharper;
-    }
-    auto& out = results.measurements;
-    out.push_back(over_replicas("profile_amplitude", amplitudes, "1"));
-    out.push_back(over_replicas("profile_null_amplitude", null_amplitudes, "1"));
-    out.push_back(over_replicas("profile_excess", excess, "1"));
-    if (steepness.size() < waves.size()) return;
-    out.push_back(over_replicas("profile_asymmetry", steepness, "1"));
-    out.push_back(fraction("profile_front_sharper", sharper, waves.size()));
+    const AlignedProfiles aligned{profiles(false), profiles(true)};
+    results.series.push_back(profile_series(
+        aligned, {.bin = record.bin, .density = 1, .length_unit = "l", .density_unit = "1"}));
+    append_profile(aligned, results);
 }
 
 }  // namespace crossgrain::measure

@@ -1,16 +1,15 @@
 #include "cases/measure/pipe/pipe_structure.hpp"
 
+#include "cases/measure/gas/wave_numbers.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 #include "cases/measure/statistics/blocking.hpp"
 #include "cases/measure/statistics/mean_with_error.hpp"
-#include "cases/measure/statistics/power_law.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 namespace crossgrain::measure {
 
@@ -52,30 +51,11 @@ std::vector<std::vector<double>> PipeStructure::block_means() const {
     return means;
 }
 
-void PipeStructure::append_exponent(const std::vector<std::vector<double>>& blocks,
-                                    Results& results) const {
-    const auto k_min = static_cast<int>(options_.k_min), k_max = static_cast<int>(options_.k_max);
-    const auto slope = slope_of_mean(blocks, k_min, k_max);
-    if (!slope) return;
-    double least = slope->value, most = slope->value;
-    for (const auto& [low, high] : {std::pair{k_min, k_max / 2}, std::pair{2 * k_min, k_max}}) {
-        const auto other = log_log_slope(mean_spectrum(blocks), low, high);
-        if (!other) continue;
-        least = std::min(least, *other);
-        most = std::max(most, *other);
-    }
-    results.measurements.push_back({.observable = "wave_number_exponent",
-                                    .value = slope->value,
-                                    .standard_error = slope->standard_error,
-                                    .systematic = (most - least) / 2,
-                                    .n = pipe_blocks,
-                                    .settings = {{"k_min", k_min}, {"k_max", k_max}}});
-}
-
 void PipeStructure::finish(Results& results) {
     if (power_[1].size() < fewest_pipe_frames) return;
     const auto blocks = block_means();
-    append_exponent(blocks, results);
+    append_wave_number_exponent(blocks, static_cast<int>(options_.k_min),
+                                static_cast<int>(options_.k_max), results);
     const auto first = static_cast<std::size_t>(options_.k_min);
     if (const auto mean = blocked_mean(power_[first])) {
         results.measurements.push_back({.observable = "structure_factor",
@@ -84,16 +64,7 @@ void PipeStructure::finish(Results& results) {
                                         .n = mean->blocks,
                                         .settings = {{"k", static_cast<double>(first)}}});
     }
-    Series series{.name = "wave-numbers", .columns = {"k", "S", "err"}, .values = {{}, {}, {}}};
-    std::vector<double> own(blocks.size());
-    for (std::size_t k = 1; k < power_.size(); ++k) {
-        for (std::size_t b = 0; b < blocks.size(); ++b)
-            own[b] = blocks[b][k];
-        const MeanWithError s = mean_with_error(own);
-        series.values[0].push_back(static_cast<double>(k));
-        series.values[1].push_back(s.value);
-        series.values[2].push_back(s.standard_error);
-    }
+    Series series = wave_number_series(blocks);
     const auto& s = series.values[1];
     const auto top = static_cast<std::size_t>(std::ranges::max_element(s) - s.begin());
     results.measurements.push_back({.observable = "wave_number",
