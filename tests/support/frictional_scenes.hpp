@@ -38,6 +38,26 @@ inline scene::ContactLaw dashpot_law(scene::Clipping clipping = scene::Clipping:
     return law;
 }
 
+inline scene::ContactLaw per_effective_mass(scene::ContactLaw law) {
+    law.damping_scale = scene::DampingScale::effective_mass;
+    return law;
+}
+
+inline scene::ContactLaw with_inertia(double factor, scene::ContactLaw law) {
+    law.friction->inertia_factor = factor;
+    return law;
+}
+
+inline scene::ContactLaw elastic(scene::ContactLaw law) {
+    law.damping = 0;
+    return law;
+}
+
+struct NamedLaw {
+    std::string name;
+    scene::ContactLaw law;
+};
+
 inline void add_disc(scene::Scene& scene, std::array<double, 2> position,
                      std::array<double, 2> velocity, double omega, double diameter,
                      bool frozen = false) {

@@ -32,28 +32,8 @@ double difference(const scene::Scene& scene) {
     return friction_difference(LiggghtsCode(), scene, liggghts, Coordinates::wrapped);
 }
 
-struct Law {
-    std::string name;
-    scene::ContactLaw law;
-};
-
-scene::ContactLaw per_effective_mass(scene::ContactLaw law) {
-    law.damping_scale = scene::DampingScale::effective_mass;
-    return law;
-}
-
-scene::ContactLaw with_inertia(double factor, scene::ContactLaw law) {
-    law.friction->inertia_factor = factor;
-    return law;
-}
-
-scene::ContactLaw elastic(scene::ContactLaw law) {
-    law.damping = 0;
-    return law;
-}
-
-const std::vector<Law>& laws() {
-    static const std::vector<Law> all{
+const std::vector<NamedLaw>& laws() {
+    static const std::vector<NamedLaw> all{
         {"spring, clipped", frictional_law()},
         {"spring, attraction kept", frictional_law(0, Clipping::none)},
         {"spring and dashpot, clipped, disc", with_inertia(disc, frictional_law(5))},
