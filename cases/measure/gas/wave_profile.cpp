@@ -46,6 +46,7 @@ Series profile_series(const AlignedProfiles& profiles, const ProfileScale& scale
         .values = std::vector<std::vector<double>>(4),
         .units = {scale.length_unit, scale.density_unit, scale.density_unit, scale.density_unit}};
     const std::size_t bins = profiles.waves.front().size();
+    const std::size_t crest = bins / 2;
     for (std::size_t x = 0; x < bins; ++x) {
         std::vector<double> here, null;
         for (std::size_t p = 0; p < profiles.waves.size(); ++p) {
@@ -53,7 +54,7 @@ Series profile_series(const AlignedProfiles& profiles, const ProfileScale& scale
             null.push_back(1 + profiles.nulls[p][x]);
         }
         const MeanWithError density = mean_with_error(here);
-        const double position = static_cast<double>(x) - static_cast<double>(bins / 2);
+        const double position = static_cast<double>(x) - static_cast<double>(crest);
         series.values[0].push_back(position * scale.bin);
         series.values[1].push_back(density.value * scale.density);
         series.values[2].push_back(density.standard_error * scale.density);

@@ -56,12 +56,13 @@ inline void add_disc(dem::State& state, double x, double y, double vx, double vy
 inline dem::State hot_gas(std::size_t side, double spacing, std::uint64_t seed = 1) {
     dem::State state;
     for (std::uint64_t i = 0; i < side * side; ++i) {
+        const std::uint64_t row = i / side;
         const auto jitter = [&](std::uint64_t k) {
             return 0.4 * (uniform(seed, RandomStream::jitter, 2 * i + k) - 0.5);
         };
         const auto v = normal_pair(seed, RandomStream::initial_velocity, i);
         add_disc(state, spacing * (static_cast<double>(i % side) + 0.5) + jitter(0),
-                 spacing * (static_cast<double>(i / side) + 0.5) + jitter(1), 3 * v[0], 3 * v[1]);
+                 spacing * (static_cast<double>(row) + 0.5) + jitter(1), 3 * v[0], 3 * v[1]);
     }
     return state;
 }
