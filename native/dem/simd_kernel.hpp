@@ -87,7 +87,7 @@ class SimdKernel final : public StepKernel {
     };
     std::vector<Told> told_;  ///< shape (threads)
 
-    double skin_ = 0;                     ///< of the present list
+    double skin_ = 0;  ///< of the present list
     double least_acceleration_limit_;
     double acceleration_limit_;           ///< by contacts, on which the order of rows relies
     bool exceeded_ = false;               ///< that limit, in the last step
