@@ -44,8 +44,9 @@ constexpr double least_part_of_order = 0.25;
 /// down with every other one.
 constexpr double limit_rises = 1.5, limit_falls = 0.97;
 
-/// What the limit is at least: the acceleration at an overlap of so many diameters.
-constexpr double least_overlap = 1e-3;
+/// What the limit is at least: the acceleration at an overlap of so many diameters; without
+/// springs, one that brings grains nearer by next to nothing in a step.
+constexpr double least_overlap = 1e-3, least_nearer = 1e-9;
 
 int useful_threads(const Parameters& p, std::size_t grains) {
     const std::size_t most = std::max<std::size_t>(grains / grains_per_thread, 1);
@@ -66,7 +67,8 @@ SimdKernel<Format>::SimdKernel(const Parameters& parameters, State initial,
                                         functions.group.lanes * functions.group.lanes),
       now_(padded_ + 1), next_(padded_ + 1), listed_(padded_ + 1),
       lid_overlap_(padded_ / grains_per_block + 1), told_(team_.size()),
-      least_acceleration_limit_(least_overlap * p_.diameter * p_.stiffness / p_.mass),
+      least_acceleration_limit_(p_.diameter * std::max(least_overlap * p_.stiffness / p_.mass,
+                                                       least_nearer / (p_.dt * p_.dt))),
       acceleration_limit_(least_acceleration_limit_) {
     set_constants();
     for (Places* places : {&places_, &spare_}) {

@@ -205,6 +205,23 @@ BOOST_AUTO_TEST_CASE(a_bed_in_free_flight_needs_no_new_list_and_loses_no_contact
                what_becomes_of(mixed_bound, p, 3000, start));
 }
 
+// Nothing accelerates them, so that nothing limits how late a row may be due.
+BOOST_AUTO_TEST_CASE(grains_without_springs_fly_through_each_other) {
+    auto p = bed_parameters(law_variants[0], dem::Scheme::verlet_half_step);
+    p.stiffness = p.damping = p.gravity = 0;
+    p.bottom = {};
+    p.lid = {};
+    const auto start = bed(301, 32, 3);
+    constexpr std::int64_t steps = 2000;
+    const auto end = simd(p, steps, start);
+    double largest = 0;
+    for (std::size_t i = 0; i < start.x.size(); ++i) {
+        largest = std::max(largest, std::hypot(end.x[i] - start.x[i] - steps * dt * start.vx[i],
+                                               end.y[i] - start.y[i] - steps * dt * start.vy[i]));
+    }
+    BOOST_TEST(largest < 1e-10);
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_has_blown_up_stops) {
     for (const auto precision : {dem::Precision::double_precision, dem::Precision::mixed}) {
         auto p = bed_parameters(law_variants[0], dem::Scheme::verlet_half_step);
