@@ -42,7 +42,8 @@ inline dem::State bed(std::size_t grains = 301, std::size_t columns = 32, double
                  2.03 * static_cast<double>(i % columns) - 30 + (row % 2 ? 1.0 : 0.0) + jitter(0),
                  1.8 * static_cast<double>(row) + jitter(1), speed * v[0], speed * v[1]);
     }
-    s.lid_height = 1.8 * static_cast<double>(grains / columns) + 0.5;
+    const std::size_t rows = grains / columns;
+    s.lid_height = 1.8 * static_cast<double>(rows) + 0.5;
     return s;
 }
 

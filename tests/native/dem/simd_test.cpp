@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(looking_changes_nothing) {
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
     auto p = bed_parameters(law_variants[0], dem::Scheme::verlet_half_step);
     p.period_x = 65.0 * 30;
-    const auto start = bed(9001, 32 * 30);
+    const auto start = bed(9001, std::size_t{32} * 30);
     for (const auto precision : {dem::Precision::double_precision, dem::Precision::mixed}) {
         p.precision = precision;
         p.kernel = dem::Kernel::simd;
