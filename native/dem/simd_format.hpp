@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -153,6 +154,7 @@ struct Survey {
     struct Range {
         double low = 0, high = 0;
         [[nodiscard]] double middle() const { return (low + high) / 2; }
+        [[nodiscard]] double largest() const { return std::max(std::abs(low), std::abs(high)); }
         void include(const Range& other) {
             low = std::min(low, other.low);
             high = std::max(high, other.high);

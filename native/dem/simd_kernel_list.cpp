@@ -28,7 +28,7 @@ void SimdKernel<Format>::make_list() {
     rows_before_list_ = rows_;
     centre_x_ = centre_y_ = 0;
     const Survey s = survey();
-    const double step = std::hypot(s.vx.high - s.vx.low, s.vy.high - s.vy.low) * p_.dt;
+    const double step = std::hypot(s.vx.largest(), s.vy.largest()) * p_.dt;
     if (!s.finite || step > coordinates_.longest_drift()) {
         throw TrajectoryError(fmt::format("a grain moves by {:g} in the step at t = {:g}", step,
                                           static_cast<double>(state_.step) * p_.dt));
