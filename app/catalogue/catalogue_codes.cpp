@@ -46,7 +46,7 @@ void require_code(const std::string& name, CaseErrorDetails where) {
     where.got = fmt::format("'{}'", name);
     where.expected = fmt::format("one of {}", fmt::join(known, ", "));
     where.hint = near ? fmt::format("did you mean '{}'?", *near) : "";
-    throw CaseError(std::move(where));
+    throw CaseError(where);
 }
 
 }  // namespace

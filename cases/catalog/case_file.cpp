@@ -168,7 +168,7 @@ CaseError Case::Source::placed(const CaseError& error) const {
     for (const auto& [key, line] : sweep.lines) {
         if (details.line == 0 && details.key == "scene." + key) details.line = line;
     }
-    return CaseError(std::move(details));
+    return CaseError(details);
 }
 
 scene::AnyScene Case::scene(std::size_t variant, std::size_t rung, std::uint64_t seed) const {

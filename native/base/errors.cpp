@@ -1,5 +1,7 @@
 #include "native/base/errors.hpp"
 
+#include "native/base/printable.hpp"
+
 #include <fmt/format.h>
 
 namespace crossgrain {
@@ -28,12 +30,29 @@ std::string one_line(const AdapterErrorDetails& e) {
     return text;
 }
 
+constexpr std::size_t longest_line = 1000, longest_log = 8000;
+
+/// Errors quote files, names and programs: whatever these hold, an error can be shown.
+CaseErrorDetails shown(CaseErrorDetails e) {
+    for (auto* text : {&e.file, &e.key, &e.problem, &e.got, &e.hint})
+        *text = printable(*text, longest_line);
+    e.expected = printable(e.expected, std::string::npos);  // may list all that is known
+    return e;
+}
+
+AdapterErrorDetails shown(AdapterErrorDetails e) {
+    for (auto* text : {&e.code, &e.reason, &e.command, &e.exit, &e.directory})
+        *text = printable(*text, longest_line);
+    e.log_tail = printable_lines(e.log_tail, longest_log);
+    return e;
+}
+
 }  // namespace
 
-CaseError::CaseError(CaseErrorDetails details)
-    : std::runtime_error(one_line(details)), details_(std::move(details)) {}
+CaseError::CaseError(const CaseErrorDetails& details)
+    : std::runtime_error(one_line(shown(details))), details_(shown(details)) {}
 
-AdapterError::AdapterError(AdapterErrorDetails details)
-    : std::runtime_error(one_line(details)), details_(std::move(details)) {}
+AdapterError::AdapterError(const AdapterErrorDetails& details)
+    : std::runtime_error(one_line(shown(details))), details_(shown(details)) {}
 
 }  // namespace crossgrain

@@ -23,7 +23,8 @@ struct CaseErrorDetails {
 
 class CaseError : public std::runtime_error {
   public:
-    explicit CaseError(CaseErrorDetails details);
+    /// Escapes what cannot be shown (printable.hpp), in the details as well.
+    explicit CaseError(const CaseErrorDetails& details);
     [[nodiscard]] const CaseErrorDetails& details() const noexcept { return details_; }
 
   private:
@@ -42,7 +43,7 @@ struct AdapterErrorDetails {
 
 class AdapterError : public std::runtime_error {
   public:
-    explicit AdapterError(AdapterErrorDetails details);
+    explicit AdapterError(const AdapterErrorDetails& details);
     [[nodiscard]] const AdapterErrorDetails& details() const noexcept { return details_; }
 
   private:
