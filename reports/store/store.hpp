@@ -1,10 +1,11 @@
 // SQLite history of everything that was ever run: runs with their measurements, curves, snapshots
 // and costs, and the verdicts of every call. A run is found again by its key, so that nothing is
-// computed twice; an entry is one call of the program and refers to the runs it used.
+// computed twice; an entry is one call of the program.
 #pragma once
 
 #include "cases/measure/results.hpp"
 #include "reference/compare/verdict.hpp"
+#include "reports/store/access.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +23,7 @@ struct RunRecord {
     std::string case_name, variant;
     std::size_t rung = 0;
     std::string code, version;
+    std::string program, digest;  ///< path and SHA-256 of a foreign program; empty for native codes
     std::int64_t replica = 0;
     std::uint64_t seed = 0;
     std::string status, reason, log_tail;
@@ -50,24 +52,25 @@ struct HistoryPoint {
     double standard_error = 0;
 };
 
-/// All functions throw StoreError with one line when the file cannot be read or written.
-class StoreError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
+/// All functions throw StoreError. A stored run that is damaged counts as not stored: `note` is
+/// told of it.
+class Database;
 
 class Store {
   public:
-    /// Opens or creates <directory>/crossgrain.db; creates the directory.
-    explicit Store(const std::filesystem::path& directory);
+    /// Opens <directory>/crossgrain.db (database.hpp).
+    explicit Store(const std::filesystem::path& directory, Access access = Access::write,
+                   Note note = {});
     ~Store();
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;
 
-    /// The newest successful run with this key.
+    /// The newest run with this key, whether it succeeded or failed.
     [[nodiscard]] std::optional<RunRecord> find(const std::string& key) const;
-    /// The newest run with this key that failed.
-    [[nodiscard]] std::optional<RunRecord> find_failed(const std::string& key) const;
+    /// Digest of the program that made the newest run of this code and version; nothing if there is
+    /// none, or none that is known.
+    [[nodiscard]] std::optional<std::string> last_digest(const std::string& code,
+                                                         const std::string& version) const;
     /// Stores the run in one transaction and returns its id.
     std::int64_t add(const RunRecord& run);
 
@@ -81,9 +84,6 @@ class Store {
     [[nodiscard]] const std::filesystem::path& directory() const noexcept { return directory_; }
 
   private:
-    struct Database;
-    [[nodiscard]] std::optional<RunRecord> newest(const std::string& key,
-                                                  const std::string& status) const;
     std::filesystem::path directory_;
     std::unique_ptr<Database> database_;
 };

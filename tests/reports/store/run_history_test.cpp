@@ -2,14 +2,17 @@
 // history in order, verdicts with their entry; from several stores on one file.
 #include "reports/store/store.hpp"
 
+#include "reports/store/results_json.hpp"
 #include "tests/reports/store/stored_run.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <thread>
@@ -29,6 +32,40 @@ RunRecord failed_run(const std::string& key) {
     run.log_tail = "ERROR: lost atoms\nLast command: run 100";
     run.results = {};
     return run;
+}
+
+/// A file as earlier programs wrote it, with one run, one measurement, one entry and one verdict.
+void write_format_1(const std::filesystem::path& path) {
+    SQLite::Database file(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    file.exec(R"(
+CREATE TABLE run (
+    id INTEGER PRIMARY KEY, key TEXT NOT NULL, case_name TEXT NOT NULL, variant TEXT NOT NULL,
+    rung INTEGER NOT NULL, code TEXT NOT NULL, version TEXT NOT NULL, replica INTEGER NOT NULL,
+    seed TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL, log_tail TEXT NOT NULL,
+    settings TEXT NOT NULL, cpu_s REAL NOT NULL, wall_s REAL NOT NULL, work REAL NOT NULL,
+    work_unit TEXT NOT NULL, created TEXT NOT NULL, results BLOB NOT NULL);
+CREATE INDEX run_key ON run (key, status);
+CREATE TABLE measurement (
+    run_id INTEGER NOT NULL REFERENCES run (id), observable TEXT NOT NULL, value REAL NOT NULL,
+    stderr REAL NOT NULL, systematic REAL NOT NULL, n INTEGER NOT NULL, unit TEXT NOT NULL);
+CREATE TABLE entry (
+    id INTEGER PRIMARY KEY, created TEXT NOT NULL, command TEXT NOT NULL, version TEXT NOT NULL,
+    machine TEXT NOT NULL);
+CREATE TABLE verdict (
+    entry_id INTEGER NOT NULL REFERENCES entry (id), case_name TEXT NOT NULL, code TEXT NOT NULL,
+    observable TEXT NOT NULL, kind TEXT NOT NULL, against TEXT NOT NULL, setting TEXT NOT NULL,
+    difference REAL, uncertainty REAL, limit_value REAL, outcome TEXT NOT NULL,
+    expected INTEGER NOT NULL, reason TEXT NOT NULL);
+INSERT INTO measurement VALUES (1, 'restitution', 0.8, 0.01, 0, 1, '');
+INSERT INTO entry VALUES (1, '', 'run', '', '');
+INSERT INTO verdict VALUES (1, 'small', '', '', '', '', '', 0, 0, 0, 'agree', 1, '');
+PRAGMA user_version = 1;)");
+    SQLite::Statement run(file,
+                          "INSERT INTO run VALUES (1, 'key', 'small', '', 0, 'lammps', 'v', 0, "
+                          "'7', 'ok', '', '', '{}', 1, 1, 1, 'steps', '', ?)");
+    const auto blob = nlohmann::json::to_cbor(store::to_json({}));
+    run.bind(1, blob.data(), static_cast<int>(blob.size()));
+    run.exec();
 }
 
 }  // namespace
@@ -82,21 +119,58 @@ BOOST_AUTO_TEST_CASE(an_unknown_key_is_nothing) {
     BOOST_TEST(!results.find("ke_").has_value());
 }
 
-BOOST_AUTO_TEST_CASE(the_newest_success_is_found_and_a_failure_only_if_asked_for) {
+BOOST_AUTO_TEST_CASE(the_newest_run_is_found_also_when_it_failed) {
     const tests::TemporaryDirectory directory;
     Store results(directory.path());
-    (void)results.add(failed_run("key"));
-    BOOST_TEST(!results.find("key").has_value());
     (void)results.add(stored_run("key", 1.0));
-    const auto newest = results.add(stored_run("key", 2.0));
-    const auto failed = results.add(failed_run("key"));
+    const auto success = results.add(stored_run("key", 2.0));
     (void)results.add(stored_run("another", 3.0));
-    BOOST_TEST(results.find_failed("key").value().id == failed);
-    BOOST_TEST(!results.find_failed("another").has_value());
-    const auto found = results.find("key");
-    BOOST_TEST_REQUIRE(found.has_value());
-    BOOST_TEST(found->id == newest);
-    BOOST_TEST(found->results.measurements.at(0).value == 2.0);
+    BOOST_TEST(results.find("key").value().id == success);
+    BOOST_TEST(results.find("key").value().results.measurements.at(0).value == 2.0);
+    // An older success must not hide that it does not work any more.
+    (void)results.add(failed_run("key"));
+    BOOST_TEST(results.find("key").value().status == "run_failed");
+    BOOST_TEST(results.find("key").value().reason == failed_run("key").reason);
+}
+
+BOOST_AUTO_TEST_CASE(the_program_behind_a_version_is_known) {
+    const tests::TemporaryDirectory directory;
+    Store results(directory.path());
+    auto run = stored_run();
+    run.code = "lammps";
+    run.version = "29 Sep 2021";
+    BOOST_TEST(!results.last_digest("lammps", "29 Sep 2021").has_value());
+    run.digest = "";  // converted from a store that did not know programs
+    (void)results.add(run);
+    BOOST_TEST(!results.last_digest("lammps", "29 Sep 2021").has_value());
+    for (const char* digest : {"abc", "def"}) {
+        run.digest = digest;
+        run.program = "/usr/bin/lmp";
+        (void)results.add(run);
+    }
+    BOOST_TEST(results.last_digest("lammps", "29 Sep 2021").value() == "def");
+    BOOST_TEST(!results.last_digest("lammps", "30 Sep 2021").has_value());
+    BOOST_TEST(!results.last_digest("liggghts", "29 Sep 2021").has_value());
+    BOOST_TEST(results.find("key").value().program == "/usr/bin/lmp");
+    BOOST_TEST(results.find("key").value().digest == "def");
+}
+
+BOOST_AUTO_TEST_CASE(a_store_of_format_1_is_converted_with_all_that_is_in_it) {
+    const tests::TemporaryDirectory directory;
+    write_format_1(directory.path() / "crossgrain.db");
+    // Also by a command that only reads.
+    const Store results(directory.path(), store::Access::read);
+    const auto run = results.find("key");
+    BOOST_TEST_REQUIRE(run.has_value());
+    BOOST_TEST(run->case_name == "small");
+    BOOST_TEST(run->seed == 7u);
+    BOOST_TEST(run->digest.empty());
+    BOOST_TEST(results.history().size() == 2u);
+    const SQLite::Database file((directory.path() / "crossgrain.db").string());
+    BOOST_TEST(const_cast<SQLite::Database&>(file)
+                   .execAndGet("SELECT group_concat(name, ' ') FROM (SELECT name FROM "
+                               "sqlite_master WHERE type = 'table' ORDER BY name)")
+                   .getString() == "entry measurement result run verdict");
 }
 
 BOOST_AUTO_TEST_CASE(history_holds_every_value_and_cost_of_every_success_oldest_first) {

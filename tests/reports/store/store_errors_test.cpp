@@ -1,6 +1,8 @@
 // A store that cannot be opened, read or written says so in one line that names the directory.
 #include "reports/store/store.hpp"
 
+#include "reports/store/database.hpp"
+
 #include "tests/reports/store/stored_run.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -12,6 +14,9 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
+
+#include <unistd.h>
 
 using namespace crossgrain;
 using store::Store;
@@ -38,6 +43,29 @@ std::string failure_to_open(const std::filesystem::path& directory) {
     const std::string line = failure([&] { Store results(directory); });
     BOOST_TEST(line.find(directory.string()) != std::string::npos, line);
     return line;
+}
+
+/// Root may write everywhere: in this scope we are somebody who may not.
+class WithoutPrivileges {
+  public:
+    WithoutPrivileges() {
+        constexpr uid_t nobody = 65534;
+        if (was_ == 0) BOOST_TEST_REQUIRE(seteuid(nobody) == 0);
+    }
+    ~WithoutPrivileges() {
+        if (was_ == 0) (void)!seteuid(0);
+    }
+    WithoutPrivileges(const WithoutPrivileges&) = delete;
+    WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
+
+  private:
+    uid_t was_ = geteuid();
+};
+
+/// Changes a store behind its back.
+void change(const TemporaryDirectory& directory, const std::string& statement) {
+    SQLite::Database file((directory.path() / "crossgrain.db").string(), SQLite::OPEN_READWRITE);
+    file.exec(statement);
 }
 
 }  // namespace
@@ -82,11 +110,7 @@ BOOST_AUTO_TEST_CASE(a_database_of_another_format_is_refused_with_what_to_do) {
         Store results(directory.path());
         (void)results.add(stored_run());
     }
-    {
-        SQLite::Database file((directory.path() / "crossgrain.db").string(),
-                              SQLite::OPEN_READWRITE);
-        file.exec("PRAGMA user_version = 99");
-    }
+    change(directory, "PRAGMA user_version = 99");
     const std::string line = failure_to_open(directory.path());
     BOOST_TEST(line.find("has format 99") != std::string::npos, line);
     BOOST_TEST(line.find("another --results directory") != std::string::npos, line);
@@ -103,42 +127,106 @@ BOOST_AUTO_TEST_CASE(a_database_of_another_program_is_refused) {
     (void)failure_to_open(directory.path());
 }
 
-BOOST_AUTO_TEST_CASE(a_stored_run_that_is_damaged_is_an_error_and_no_result) {
+BOOST_AUTO_TEST_CASE(a_stored_run_that_is_damaged_is_said_aloud_and_no_result) {
     const TemporaryDirectory directory;
-    Store results(directory.path());
-    const auto damage = [&](const std::string& assignment) {
-        SQLite::Database file((directory.path() / "crossgrain.db").string(),
-                              SQLite::OPEN_READWRITE);
-        file.exec("UPDATE run SET " + assignment);
-    };
-    (void)results.add(stored_run());
-    damage("results = x'00'");
-    (void)failure([&] { (void)results.find("key"); });
-    damage("results = x''");
-    (void)failure([&] { (void)results.find("key"); });
+    std::vector<std::string> notes;
+    const Store results(directory.path(), store::Access::write,
+                        [&](const std::string& line) { notes.push_back(line); });
+    const std::string deep(1'000'000, '[');
+    for (const std::string& damage :
+         {std::string("UPDATE result SET results = x'00'"),
+          std::string("UPDATE result SET results = x''"),
+          std::string("UPDATE result SET results = replace(hex(zeroblob(500000)), '0', x'81')"),
+          std::string("DELETE FROM result"), std::string("UPDATE run SET seed = 'x'"),
+          std::string("UPDATE run SET seed = '99999999999999999999'"),
+          "UPDATE run SET settings = '" + deep + "'"}) {
+        {
+            Store writer(directory.path());
+            (void)writer.add(stored_run());
+        }
+        BOOST_TEST(results.find("key").has_value());
+        notes.clear();
+        change(directory, damage);
+        BOOST_TEST(!results.find("key").has_value());
+        BOOST_TEST_REQUIRE(notes.size() == 1u);
+        BOOST_TEST(notes[0].find("is damaged and not used") != std::string::npos, notes[0]);
+    }
 }
 
-BOOST_AUTO_TEST_CASE(a_seed_that_is_damaged_is_an_error_and_no_result) {
+BOOST_AUTO_TEST_CASE(history_leaves_out_what_is_damaged_and_says_so) {
+    const TemporaryDirectory directory;
+    std::vector<std::string> notes;
+    Store results(directory.path(), store::Access::write,
+                  [&](const std::string& line) { notes.push_back(line); });
+    (void)results.add(stored_run("a"));
+    (void)results.add(stored_run("b"));
+    change(directory, "UPDATE run SET seed = 'x' WHERE key = 'a'");
+    BOOST_TEST(results.history().size() == 3u);
+    BOOST_TEST_REQUIRE(notes.size() == 1u);
+    BOOST_TEST(notes[0] == "2 stored measurements are damaged and left out");
+}
+
+BOOST_AUTO_TEST_CASE(a_full_disk_and_a_read_only_one_are_told_apart) {
     const TemporaryDirectory directory;
     Store results(directory.path());
     (void)results.add(stored_run());
+    // As many pages as there are, and no more: what SQLite says of a full disk.
+    auto run = stored_run("large");
+    run.log_tail = std::string(10'000'000, 'x');
+    change(directory, "PRAGMA user_version = 2");
+    store::Database full(directory.path(), store::Access::write, {});
+    full.sqlite().exec("PRAGMA max_page_count = 10");
+    const std::string line = failure([&] {
+        full.guarded([&] { full.sqlite().exec("CREATE TABLE x AS SELECT zeroblob(1000000)"); });
+    });
+    BOOST_TEST(line.find("the disk is full") != std::string::npos, line);
+    const store::Database reader(directory.path(), store::Access::read, {});
+    const std::string refused =
+        failure([&] { reader.guarded([&] { reader.sqlite().exec("CREATE TABLE y (z TEXT)"); }); });
+    BOOST_TEST(refused.find("cannot be written") != std::string::npos, refused);
+}
+
+BOOST_AUTO_TEST_CASE(a_store_that_is_only_read_must_be_there) {
+    const TemporaryDirectory directory;
+    const auto missing = directory.path() / "mistyped";
+    const std::string line = failure([&] { const Store results(missing, store::Access::read); });
+    BOOST_TEST(line.find("does not exist") != std::string::npos, line);
+    BOOST_TEST(line.find("--results") != std::string::npos, line);
+    BOOST_TEST(!std::filesystem::exists(missing));
+    // Without anything in it, it is empty, and stays so.
+    const Store empty(directory.path(), store::Access::read);
+    BOOST_TEST(!empty.find("key").has_value());
+    BOOST_TEST(empty.history().empty());
+    BOOST_TEST(std::filesystem::is_empty(directory.path()));
+}
+
+BOOST_AUTO_TEST_CASE(a_file_in_a_directory_without_write_permission_is_read) {
+    namespace fs = std::filesystem;
+    const TemporaryDirectory directory;
+    const auto odd = directory.path() / "100% of ? and #";
     {
-        SQLite::Database file((directory.path() / "crossgrain.db").string(),
-                              SQLite::OPEN_READWRITE);
-        file.exec("UPDATE run SET seed = 'x'");
+        Store results(odd);
+        (void)results.add(stored_run());
     }
-    (void)failure([&] { (void)results.find("key"); });
-    (void)failure([&] { (void)results.history(); });
+    constexpr auto all_may_read =
+        fs::perms::all &
+        ~(fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write);
+    for (const auto& path : {directory.path(), odd})
+        fs::permissions(path, all_may_read);
+    {
+        const WithoutPrivileges nobody;
+        BOOST_TEST(Store(odd, store::Access::read).find("key").has_value());
+        const std::string line = failure([&] { const Store results(odd); });
+        BOOST_TEST(line.find("permission") != std::string::npos, line);
+    }
+    for (const auto& path : {directory.path(), odd})
+        fs::permissions(path, fs::perms::owner_all);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_cannot_be_stored_leaves_no_half_of_it) {
     const TemporaryDirectory directory;
     Store results(directory.path());
-    {
-        SQLite::Database file((directory.path() / "crossgrain.db").string(),
-                              SQLite::OPEN_READWRITE);
-        file.exec("DROP TABLE measurement");
-    }
+    change(directory, "DROP TABLE measurement");
     (void)failure([&] { (void)results.add(stored_run()); });
     BOOST_TEST(!results.find("key").has_value());
 }

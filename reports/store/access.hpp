@@ -1,0 +1,22 @@
+// How a store is opened, and what goes wrong with it.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace crossgrain::store {
+
+/// The store cannot be opened, read or written: one line that names the directory and the cause.
+class StoreError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// `read` changes nothing on disk, and works where nothing can be written.
+enum class Access { read, write };
+
+/// Takes a line that the user should see, e.g. that somebody else is writing.
+using Note = std::function<void(const std::string&)>;
+
+}  // namespace crossgrain::store
