@@ -1,19 +1,21 @@
 #include "app/preparation.hpp"
 
+#include "adapters/process/scratch_directory.hpp"
 #include "app/catalogue/catalogue.hpp"
 #include "app/digest.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/errors.hpp"
+#include "reports/store/run_claim.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
-#include <map>
-#include <mutex>
 #include <numeric>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -45,7 +47,7 @@ std::optional<InitialState> read_state(const fs::path& file) {
 
 /// Under another name first, so that a file that is there is complete.
 void write_state(const fs::path& file, const InitialState& state, double speed) {
-    const fs::path unfinished = file.string() + ".part";
+    const fs::path unfinished = file.string() + ".part";  // under a claim: nobody else's
     std::ofstream out(unfinished);
     // A number of nlohmann::json reads back to the same bits.
     out << nlohmann::json{{"rms_speed", speed}, {"x", state.x}, {"y", state.y}}.dump() << '\n';
@@ -58,24 +60,23 @@ void write_state(const fs::path& file, const InitialState& state, double speed) 
     fs::rename(unfinished, file);
 }
 
-}  // namespace
-
-struct Preparations::Locks {
-    std::mutex guard;
-    std::map<std::string, std::mutex> by_key;
-
-    std::mutex& of(const std::string& key) {
-        const std::lock_guard lock(guard);
-        return by_key[key];
+/// The sole right to make a state, once nobody else is making it.
+store::RunClaim claimed(const fs::path& directory, const std::string& key,
+                        const std::stop_token& stop) {
+    fs::create_directories(directory);
+    while (true) {
+        if (auto claim = store::RunClaim::take(directory, key)) return std::move(*claim);
+        if (stop.stop_requested()) throw Interrupted();
+        constexpr auto turn = std::chrono::milliseconds(20);
+        std::this_thread::sleep_for(turn);
     }
-};
+}
+
+}  // namespace
 
 Preparations::Preparations(fs::path directory, const adapters::GrainCode& engine,
                            std::string version)
-    : directory_(std::move(directory)), engine_(engine), version_(std::move(version)),
-      locks_(std::make_unique<Locks>()) {}
-
-Preparations::~Preparations() = default;
+    : directory_(std::move(directory)), engine_(engine), version_(std::move(version)) {}
 
 Preparations preparations_in(const Settings& settings) {
     const auto* engine =
@@ -85,19 +86,15 @@ Preparations preparations_in(const Settings& settings) {
 
 std::shared_ptr<const scene::AnyScene>
 Preparations::prepared(std::shared_ptr<const scene::AnyScene> given, double time_limit,
-                       std::stop_token stop) {
+                       std::stop_token stop) const {
     const auto* grains = std::get_if<Scene>(given.get());
     if (grains == nullptr || !grains->preparation) return given;
     const Scene start = preparatory_run(*grains);
     const nlohmann::json identity{{"scene", scene::to_json(start)}, {"version", version_}};
     const std::string key = sha256(identity.dump());
-    InitialState state;
-    {
-        const std::lock_guard lock(locks_->of(key));
-        const fs::path file = directory_ / (key + ".json");
-        auto stored = read_state(file);
-        state = stored ? std::move(*stored) : settled(start, key, time_limit, stop);
-    }
+    const auto claim = claimed(directory_, key, stop);
+    auto stored = read_state(directory_ / (key + ".json"));
+    const InitialState state = stored ? std::move(*stored) : settled(start, key, time_limit, stop);
     return std::make_shared<const scene::AnyScene>(scene::start_of_run(*grains, state));
 }
 
@@ -112,11 +109,10 @@ InitialState Preparations::settled(const Scene& start, const std::string& key, d
                             .log_tail = {},
                             .directory = {}});
     }
-    const fs::path work = directory_ / (key.substr(0, 16) + ".run");
-    fs::create_directories(work);
+    const adapters::process::ScratchDirectory work(directory_, key.substr(0, 16));
     InitialState state;
     double squares = 0;
-    engine_.run(start, {.directory = work, .time_limit = time_limit, .stop = stop},
+    engine_.run(start, {.directory = work.path(), .time_limit = time_limit, .stop = stop},
                 [&](const scene::Frame& frame) {
                     state.x.assign(frame.x.begin(), frame.x.end());
                     state.y.assign(frame.y.begin(), frame.y.end());
@@ -127,8 +123,6 @@ InitialState Preparations::settled(const Scene& start, const std::string& key, d
                 });
     write_state(directory_ / (key + ".json"), state,
                 std::sqrt(squares / static_cast<double>(start.grain_count())));
-    std::error_code ignored;  // left-overs do no harm
-    fs::remove_all(work, ignored);
     return state;
 }
 

@@ -14,32 +14,27 @@
 
 namespace crossgrain::app {
 
-/// Makes states and keeps them as JSON in a directory. May be shared by threads: who needs a state
-/// that another is making waits for it.
+/// Makes states and keeps them as JSON in a directory, which threads and processes may share: who
+/// needs a state that another is making waits for it.
 class Preparations {
   public:
     /// `engine` makes the states, and must outlive this; `version` is what it is known by.
     Preparations(std::filesystem::path directory, const adapters::GrainCode& engine,
                  std::string version);
-    ~Preparations();
-    Preparations(const Preparations&) = delete;
-    Preparations& operator=(const Preparations&) = delete;
 
     /// The scene as a run starts from it (scene::start_of_run); one without a preparation as it is.
     /// Throws what the engine throws (AdapterError, Interrupted).
     [[nodiscard]] std::shared_ptr<const scene::AnyScene>
-    prepared(std::shared_ptr<const scene::AnyScene> given, double time_limit, std::stop_token stop);
+    prepared(std::shared_ptr<const scene::AnyScene> given, double time_limit,
+             std::stop_token stop) const;
 
   private:
-    struct Locks;
-
     [[nodiscard]] scene::InitialState settled(const scene::Scene& start, const std::string& key,
                                               double time_limit, std::stop_token stop) const;
 
     std::filesystem::path directory_;
     const adapters::GrainCode& engine_;
     std::string version_;
-    std::unique_ptr<Locks> locks_;
 };
 
 /// Those of the results' directory, made by the native engine.

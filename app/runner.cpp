@@ -1,5 +1,6 @@
 #include "app/runner.hpp"
 
+#include "adapters/process/scratch_directory.hpp"
 #include "app/catalogue/estimators.hpp"
 #include "app/chart/expected_cost.hpp"
 #include "app/model_runs.hpp"
@@ -7,15 +8,23 @@
 #include "app/progress.hpp"
 #include "cases/scene/lattice_guard.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/file_stem.hpp"
+#include "native/base/printable.hpp"
+#include "reports/store/run_claim.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <map>
 #include <mutex>
+#include <new>
 #include <numeric>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace crossgrain::app {
 namespace {
@@ -40,64 +49,56 @@ void require_finite(const store::RunRecord& record) {
     }
 }
 
-std::string directory_name(const PlannedRun& run) {
-    std::string name = label(run);
-    for (char& c : name) {
-        if (c == '/' || c == ' ' || c == '#') c = '-';
-    }
-    return name;
+/// What the directory of a run is called: readable, and no other run's.
+std::string directory_stem(const PlannedRun& run) {
+    constexpr std::size_t readable = 100, of_key = 12;
+    const std::string name =
+        file_stem({scene::name_of(*run.scene), run.record.code, fmt::format("{}", run.replica + 1)},
+                  readable);
+    return name + "-" + run.record.key.substr(0, of_key);
 }
-
-/// A run's private directory, below the results so that it can be looked at; removed when the run
-/// went well and no dump was asked for.
-class RunDirectory {
-  public:
-    RunDirectory(const Settings& settings, const PlannedRun& run)
-        : path_(fs::absolute(settings.results) / "runs" / directory_name(run)) {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    [[nodiscard]] const fs::path& path() const noexcept { return path_; }
-    void remove() const {
-        std::error_code ignored;  // left-overs do no harm
-        fs::remove_all(path_, ignored);
-    }
-
-  private:
-    fs::path path_;
-};
 
 class Runner {
   public:
     Runner(std::vector<PlannedRun> runs, store::Store& store, const Settings& settings,
            std::stop_token stop)
         : runs_(std::move(runs)), store_(store), settings_(settings), stop_(std::move(stop)),
-          preparations_(preparations_in(settings)) {}
+          preparations_(preparations_in(settings)),
+          directories_(fs::absolute(settings.results) / "runs") {}
 
     RunSummary carry_out(bool compute);
 
   private:
-    void take_from_store(bool failures);
+    [[nodiscard]] bool take_from_store(PlannedRun& run, bool failures);
     void compute_missing();
+    void choose_missing();
     void work(Progress& progress);
-    void execute(PlannedRun& run, Progress& progress);
-    void measure(PlannedRun& run, const RunDirectory& directory, Progress& progress);
+    [[nodiscard]] bool compute_unless_claimed(PlannedRun& run, Progress& progress);
+    void compute(PlannedRun& run, Progress& progress);
+    void measure(PlannedRun& run, const fs::path& directory, Progress& progress);
     void keep(PlannedRun& run);
+    void share_results();
 
     std::vector<PlannedRun> runs_;
     store::Store& store_;
     const Settings& settings_;
     std::stop_token stop_;
     Preparations preparations_;
+    fs::path directories_;  ///< of runs, below the results so that one can look at them
     std::vector<PlannedRun*> waiting_;
+    /// Runs that are the same as one that is waiting: (copy, original).
+    std::vector<std::pair<PlannedRun*, const PlannedRun*>> copies_;
     std::atomic<std::size_t> next_{0};
     std::mutex store_mutex_;
     RunSummary summary_;
 };
 
 RunSummary Runner::carry_out(bool compute) {
-    // What failed is tried again, unless nothing is.
-    if (!settings_.fresh) take_from_store(!compute);
+    for (auto& run : runs_) {
+        if (run.record.status != "planned" || settings_.fresh) continue;
+        // What failed is tried again, unless nothing is.
+        (void)take_from_store(run, !compute);
+    }
     if (compute) {
         compute_missing();
     } else {
@@ -111,32 +112,47 @@ RunSummary Runner::carry_out(bool compute) {
     return std::move(summary_);
 }
 
-void Runner::take_from_store(bool failures) {
-    for (auto& run : runs_) {
-        if (run.record.status != "planned") continue;
-        auto stored = store_.find(run.record.key);
-        if (!stored && failures) stored = store_.find_failed(run.record.key);
-        if (stored) {
-            // Labels may have changed since; the numbers cannot have.
-            stored->case_name = run.record.case_name;
-            stored->variant = run.record.variant;
-            stored->rung = run.record.rung;
-            stored->replica = run.record.replica;
-            run.record = std::move(*stored);
-            ++summary_.from_store;
-        }
-    }
+/// Labels may have changed since it was stored; the numbers cannot have.
+void relabel(store::RunRecord& found, const store::RunRecord& as) {
+    found.case_name = as.case_name;
+    found.variant = as.variant;
+    found.rung = as.rung;
+    found.replica = as.replica;
 }
 
-void Runner::compute_missing() {
+bool Runner::take_from_store(PlannedRun& run, bool failures) {
+    const std::lock_guard lock(store_mutex_);
+    auto stored = store_.find(run.record.key);
+    if (!stored || (stored->status != "ok" && !failures)) return false;
+    relabel(*stored, run.record);
+    run.record = std::move(*stored);
+    ++summary_.from_store;
+    return true;
+}
+
+/// What has to be computed, each key once, the longest runs first, so that no processor is left
+/// with one long run at the end.
+void Runner::choose_missing() {
+    std::map<std::string, const PlannedRun*> by_key;
     for (auto& run : runs_) {
-        if (run.record.status == "planned") waiting_.push_back(&run);
+        if (run.record.status != "planned") continue;
+        const auto [first, is_new] = by_key.emplace(run.record.key, &run);
+        if (is_new) {
+            waiting_.push_back(&run);
+        } else {
+            copies_.emplace_back(&run, first->second);
+        }
     }
-    if (waiting_.empty()) return;
-    // The longest runs first, so that no processor is left with one long run at the end.
     std::stable_sort(waiting_.begin(), waiting_.end(), [](const auto* a, const auto* b) {
         return expected_seconds(*a) > expected_seconds(*b);
     });
+}
+
+void Runner::compute_missing() {
+    for (const auto& directory : {directories_, fs::absolute(settings_.results) / "prepared"})
+        adapters::process::sweep(directory);
+    choose_missing();
+    if (waiting_.empty()) return;
     const double seconds =
         std::accumulate(waiting_.begin(), waiting_.end(), 0.0,
                         [](double sum, const auto* run) { return sum + expected_seconds(*run); });
@@ -147,46 +163,78 @@ void Runner::compute_missing() {
     for (unsigned i = 0; i < std::min<std::size_t>(jobs, waiting_.size()); ++i) {
         workers.emplace_back([&] { this->work(progress); });
     }
+    workers.clear();
+    share_results();
 }
 
 void Runner::work(Progress& progress) {
+    std::vector<PlannedRun*> claimed;  // by another process
     for (std::size_t i = next_++; i < waiting_.size(); i = next_++) {
         if (stop_.stop_requested()) return;
-        execute(*waiting_[i], progress);
+        if (!compute_unless_claimed(*waiting_[i], progress)) claimed.push_back(waiting_[i]);
+    }
+    for (PlannedRun* run : claimed) {
+        while (!compute_unless_claimed(*run, progress)) {
+            if (stop_.stop_requested()) return;
+            constexpr auto turn = std::chrono::milliseconds(50);
+            std::this_thread::sleep_for(turn);
+        }
     }
 }
 
-void Runner::execute(PlannedRun& run, Progress& progress) {
+/// False while another process computes the run. When that has succeeded its result is ours.
+bool Runner::compute_unless_claimed(PlannedRun& run, Progress& progress) {
+    try {
+        const auto claim = store::RunClaim::take(settings_.results, run.record.key);
+        if (!claim) return false;
+        if (!settings_.fresh && take_from_store(run, false)) {
+            progress.finished(label(run), expected_seconds(run), "computed by another call");
+        } else {
+            compute(run, progress);
+        }
+    } catch (const store::StoreError& error) {
+        run.record.status = "run_failed";
+        run.record.reason = error.what();
+        progress.finished(label(run), expected_seconds(run), "run_failed: " + run.record.reason);
+    }
+    return true;
+}
+
+void Runner::compute(PlannedRun& run, Progress& progress) {
     auto& record = run.record;
     record.created = store::utc_now();
-    std::string how;
+    std::optional<adapters::process::ScratchDirectory> directory;
+    const auto fail = [&](std::string reason, std::string log_tail = {}) {
+        record.status = "run_failed";
+        record.reason = std::move(reason);
+        record.log_tail = std::move(log_tail);
+        if (directory) directory->keep();  // the error names it
+    };
     try {
-        const RunDirectory directory(settings_, run);
-        measure(run, directory, progress);
+        directory.emplace(directories_, directory_stem(run));
+        measure(run, directory->path(), progress);
         record.status = "ok";
-        how = fmt::format("{:.2f} s CPU", record.cpu_s);
-        if (!settings_.keep_dumps) directory.remove();
+        if (settings_.keep_dumps) directory->keep();
     } catch (const Interrupted&) {
         record.status = "planned";
         return;
     } catch (const AdapterError& error) {
-        record.status = "run_failed";
-        record.reason = error.what();
-        record.log_tail = error.details().log_tail;
-        how = "run_failed: " + record.reason;
+        fail(error.what(), error.details().log_tail);
+    } catch (const std::bad_alloc&) {
+        fail("there is not enough memory for this run");
     } catch (const std::exception& error) {
-        record.status = "run_failed";
-        record.reason = error.what();
-        how = "run_failed: " + record.reason;
+        fail(printable(error.what()));
     }
     keep(run);
-    progress.finished(label(run), expected_seconds(run), how);
+    progress.finished(label(run), expected_seconds(run),
+                      record.status == "ok" ? fmt::format("{:.2f} s CPU", record.cpu_s)
+                                            : "run_failed: " + record.reason);
 }
 
-void Runner::measure(PlannedRun& run, const RunDirectory& directory, Progress& progress) {
+void Runner::measure(PlannedRun& run, const fs::path& directory, Progress& progress) {
     const std::string name = label(run);
     const double seconds = expected_seconds(run);
-    const adapters::RunOptions options{.directory = directory.path(),
+    const adapters::RunOptions options{.directory = directory,
                                        .time_limit = run.time_limit,
                                        .stop = stop_,
                                        .keep_dump = settings_.keep_dumps};
@@ -219,6 +267,15 @@ void Runner::keep(PlannedRun& run) {
     } catch (const store::StoreError& error) {
         // The results stay in memory and are reported; only the history is incomplete.
         if (summary_.store_error.empty()) summary_.store_error = error.what();
+    }
+}
+
+/// Runs that are the same have the same result.
+void Runner::share_results() {
+    for (const auto& [copy, original] : copies_) {
+        store::RunRecord record = original->record;
+        relabel(record, copy->record);
+        copy->record = std::move(record);
     }
 }
 

@@ -5,11 +5,14 @@
 #include "app/model_runs.hpp"
 #include "app/plan.hpp"
 #include "app/runner.hpp"
+#include "native/base/errors.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <set>
 
 namespace crossgrain::app {
 namespace {
@@ -48,7 +51,48 @@ bool has_suite(const std::string& directory, const std::string& name, const std:
     return std::ranges::find(whole.suites, suite) != whole.suites.end();
 }
 
+/// False if this very file was taken already. Throws if another one has the same name: everything
+/// that is said of a case is said of its name.
+bool is_new(const catalog::Case& found,
+            const std::vector<std::shared_ptr<const catalog::Case>>& taken) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    for (const auto& other : taken) {
+        if (fs::equivalent(other->file, found.file, error)) return false;
+        if (other->name != found.name) continue;
+        throw CaseError({.file = found.file,
+                         .key = "name",
+                         .problem = "is the name of another case of this call",
+                         .got = fmt::format("'{}', also in {}", found.name, other->file),
+                         .expected = "a name of its own for each case"});
+    }
+    return true;
+}
+
+/// Says so when a program has changed although its version has not.
+void warn_of_changed_programs(const std::vector<PlannedRun>& runs, const store::Store& store,
+                              const Settings& settings) {
+    constexpr std::size_t shown = 12;
+    std::set<std::string> told;
+    for (const auto& run : runs) {
+        const auto& record = run.record;
+        if (settings.quiet || record.digest.empty() || !told.insert(record.code).second) continue;
+        const auto before = store.last_digest(record.code, record.version);
+        if (!before || *before == record.digest) continue;
+        fmt::print(stderr,
+                   "warning: {} states the version {}, but is not the program that ran before "
+                   "under it (digest {}, was {}): runs of the one do not stand for the other\n",
+                   record.program, record.version, record.digest.substr(0, shown),
+                   before->substr(0, shown));
+    }
+}
+
 }  // namespace
+
+store::Store open_store(const Settings& settings, store::Access access) {
+    return store::Store(settings.results, access,
+                        [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); });
+}
 
 std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings) {
     const std::string directory = (share_directory() / "catalog").string();
@@ -69,6 +113,7 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
         });
         // A case that was named is refused when it is planned; one of the suite is left out.
         if (!wanted || (settings.cases.empty() && !runnable)) continue;
+        if (!is_new(found, cases)) continue;
         check_names(found);
         cases.push_back(std::make_shared<const catalog::Case>(std::move(found)));
     }
@@ -89,6 +134,7 @@ SessionReport run_session(const Settings& settings, store::Store& store, std::st
             runs.push_back(std::move(run));
         }
     }
+    warn_of_changed_programs(runs, store, settings);
     RunSummary summary = carry_out(std::move(runs), store, settings, std::move(stop), compute);
     std::map<const catalog::Case*, std::vector<store::RunRecord>> by_case;
     for (std::size_t i = 0; i < owners.size(); ++i) {

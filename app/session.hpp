@@ -36,7 +36,11 @@ struct SessionReport {
     std::string store_error;
 };
 
-/// The cases named in the settings, or all of the suite. Throws CaseError.
+/// The store of the results directory; what it has to say goes to stderr. Throws StoreError.
+[[nodiscard]] store::Store open_store(const Settings& settings, store::Access access);
+
+/// The cases named in the settings, each file once, or all of the suite. Throws CaseError; also
+/// when two of them have the same name.
 [[nodiscard]] std::vector<std::shared_ptr<const catalog::Case>>
 selected_cases(const Settings& settings);
 

@@ -5,6 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/plan.hpp"
 #include "app/progress.hpp"
+#include "app/session.hpp"
 #include "native/base/errors.hpp"
 
 #include <fmt/format.h>
@@ -113,7 +114,7 @@ CaseError unknown_observable(const Chart& chart, const std::string& asked) {
 int advise_case(const Settings& given, const AdviseRequest& request) {
     Settings settings = given;
     settings.suite = catalog::Suite::chart;
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::read);
     const auto report = run_session(settings, store, {}, false);
     if (const Missing missing = missing_runs(report, settings); missing.runs > 0) {
         fmt::print(stderr,

@@ -3,6 +3,7 @@
 #include "app/catalogue/catalogue.hpp"
 #include "app/chart/chart_document.hpp"
 #include "app/commands/commands.hpp"
+#include "app/session.hpp"
 #include "reports/web/atomic_file.hpp"
 #include "reports/web/web_report.hpp"
 
@@ -13,7 +14,7 @@ namespace crossgrain::app {
 int chart_cases(const Settings& given, std::stop_token stop) {
     Settings settings = given;
     settings.suite = catalog::Suite::chart;
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::write);
     const auto report = run_session(settings, store, std::move(stop), true);
     nlohmann::json charts = nlohmann::json::array();
     const auto directory = settings.results / "report";

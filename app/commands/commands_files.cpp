@@ -133,7 +133,7 @@ int read_dump(const Settings& settings, const ReadRequest& request) {
                          .got = std::to_string(request.rung),
                          .expected = fmt::format("1 to {}", the_case->variants[variant].rungs)});
     }
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::read_if_there);
     // The other codes' runs of the same scene, as far as the store has them, to compare with.
     Settings stored = settings;
     stored.codes.clear();

@@ -97,14 +97,14 @@ void open_in_browser(const std::filesystem::path& page) {
 }  // namespace
 
 int run_cases(const Settings& settings, std::stop_token stop) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::write);
     const auto report = run_session(settings, store, std::move(stop), true);
     print_cases(report, settings);
     return close_session(report, settings);
 }
 
 int compare_cases(const Settings& settings) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::read);
     const auto [cases, phenomena] = split_phenomena(settings.cases);
     nlohmann::json tables = nlohmann::json::array();
     std::string text;
@@ -147,7 +147,7 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
                         "gas-friction"};
         if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
     }
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::write);
     const auto report = run_session(parity, store, std::move(stop), true);
     if (settings.json) {
         auto document = certificate_document(report);
@@ -164,7 +164,7 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
 }
 
 int validate(const Settings& settings, std::stop_token stop) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::write);
     const auto report = run_session(settings, store, std::move(stop), true);
     print_cases(report, settings);
     if (report.interrupted) return close_session(report, settings);
@@ -177,7 +177,7 @@ int validate(const Settings& settings, std::stop_token stop) {
 }
 
 int write_report(const Settings& settings, bool open) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::read);
     const auto report = run_session(settings, store, {}, false);
     write_report_files(report, store, settings);
     const auto page = settings.results / "report/index.html";
@@ -202,12 +202,12 @@ int print_history(const Settings& settings, const std::vector<HistorySeries>& hi
 }  // namespace
 
 int show_history(const Settings& settings) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::read);
     return print_history(settings, history_of(store.history()));
 }
 
 int show_regressions(const Settings& settings) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::read);
     auto history = history_of(store.history());
     const auto all = history.size();
     const auto young = std::ranges::count(history, Drift::too_few, &HistorySeries::drift);

@@ -210,7 +210,7 @@ std::filesystem::path write_page(const json& maps, const Settings& settings) {
 }  // namespace
 
 int map_stability(const Settings& settings, const std::stop_token& stop) {
-    store::Store store(settings.results);
+    store::Store store = open_store(settings, store::Access::write);
     std::vector<StabilityReport> reports;
     int code = exit_ok;
     Settings whole = settings;

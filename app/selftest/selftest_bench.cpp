@@ -2,6 +2,7 @@
 
 #include "app/catalogue/catalogue.hpp"
 #include "app/runner.hpp"
+#include "app/session.hpp"
 #include "native/base/errors.hpp"
 
 #include <fmt/format.h>
@@ -144,7 +145,7 @@ RunSlice SelftestBench::plan_defective(const catalog::Case& the_case, const adap
 }
 
 void SelftestBench::carry_out(const std::stop_token& stop) {
-    store::Store store(settings_.results);
+    store::Store store = open_store(settings_, store::Access::write);
     RunSummary summary = app::carry_out(std::move(planned_), store, settings_, stop, true);
     records_ = std::move(summary.records);
     interrupted_ = summary.interrupted;

@@ -154,8 +154,7 @@ void add_residual(const StabilityTrial& trial, Scene scene, double dt, Stability
 void add_residuals(const Scene& given, const Settings& settings, const std::stop_token& stop,
                    StabilityReport& report) {
     constexpr std::array steps_in_contact_time{100.0, 50.0, 25.0, 12.5, 8.0, 5.0, 3.5, 3.0};
-    const auto directory =
-        std::filesystem::absolute(settings.results) / "runs" / "stability-residual";
+    const auto directory = std::filesystem::absolute(settings.results) / "runs";
     for (const Method& method : methods) {
         Scene scene = narrow_scene(given);
         scene.integrator = method.integrator;

@@ -1,5 +1,6 @@
 #include "app/stability/stability_search.hpp"
 
+#include "adapters/process/scratch_directory.hpp"
 #include "app/digest.hpp"
 #include "app/progress.hpp"
 #include "native/base/errors.hpp"
@@ -126,9 +127,9 @@ class Searches {
         {
             std::vector<std::jthread> workers;
             for (unsigned worker = 0; worker < jobs; ++worker) {
-                workers.emplace_back([&, worker] {
+                workers.emplace_back([&] {
                     for (std::size_t i = next++; i < waiting.size(); i = next++) {
-                        if (!search_one(*waiting[i], worker)) return;
+                        if (!search_one(*waiting[i])) return;
                         const auto& result = waiting[i]->result;
                         progress.finished(result.code + ", " + result.method, seconds,
                                           fmt::format("stable up to {:.4g}", result.works));
@@ -140,10 +141,10 @@ class Searches {
     }
 
     /// False when it was stopped, or could not be done.
-    bool search_one(ThresholdSearch& search, unsigned worker) {
+    bool search_one(ThresholdSearch& search) {
         try {
             if (stop_.stop_requested()) return false;
-            search_and_keep(search, worker);
+            search_and_keep(search);
             return true;
         } catch (const Interrupted&) {
             return false;
@@ -154,11 +155,9 @@ class Searches {
         }
     }
 
-    void search_and_keep(ThresholdSearch& search, unsigned worker) {
+    void search_and_keep(ThresholdSearch& search) {
         const StabilityTrial trial(*search.code,
-                                   std::filesystem::absolute(settings_.results) / "runs" /
-                                       fmt::format("stability-{}-{}", case_name_, worker),
-                                   stop_);
+                                   std::filesystem::absolute(settings_.results) / "runs", stop_);
         StabilityThreshold result = search.result;
         bisect(trial, search.packing, search.guess, result);
         search.result = result;
@@ -195,17 +194,13 @@ class Searches {
 }  // namespace
 
 bool StabilityTrial::run(const Scene& scene, const scene::FrameSink& sink) const {
-    std::filesystem::remove_all(directory_);
-    std::filesystem::create_directories(directory_);
-    bool finished = true;
+    const adapters::process::ScratchDirectory directory(directory_, "stability");
     try {
-        code_->run(scene, {.directory = directory_, .time_limit = 600, .stop = stop_}, sink);
+        code_->run(scene, {.directory = directory.path(), .time_limit = 600, .stop = stop_}, sink);
     } catch (const AdapterError&) {
-        finished = false;
+        return false;
     }
-    std::error_code ignored;  // left-overs do no harm
-    std::filesystem::remove_all(directory_, ignored);
-    return finished;
+    return true;
 }
 
 std::vector<StabilityThreshold> find_thresholds(std::vector<ThresholdSearch> searches,

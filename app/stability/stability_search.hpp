@@ -16,7 +16,7 @@ namespace crossgrain::app {
 /// Runs scenes in a code; nothing of a run is kept but what the sink keeps.
 class StabilityTrial {
   public:
-    /// `directory`: private to this trial, emptied before and after every run.
+    /// `directory`: every run gets one of its own below it.
     StabilityTrial(const adapters::GrainCode& code, std::filesystem::path directory,
                    std::stop_token stop)
         : code_(&code), directory_(std::move(directory)), stop_(std::move(stop)) {}

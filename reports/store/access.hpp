@@ -13,8 +13,9 @@ class StoreError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// `read` changes nothing on disk, and works where nothing can be written.
-enum class Access { read, write };
+/// `read` changes nothing on disk, works where nothing can be written, and needs the directory;
+/// for `read_if_there` a missing one is empty.
+enum class Access { read, read_if_there, write };
 
 /// Takes a line that the user should see, e.g. that somebody else is writing.
 using Note = std::function<void(const std::string&)>;

@@ -68,6 +68,7 @@ struct Database::Wait {
 Database::Database(fs::path directory, Access access, Note note)
     : directory_(std::move(directory)), file_(directory_ / "crossgrain.db"), note_(std::move(note)),
       wait_(std::make_unique<Wait>(Wait{.database = *this, .start = {}})) {
+    if (access == Access::read) require_directory();
     guarded([&] { access == Access::write ? open_to_write() : open_to_read(); });
 }
 
@@ -124,22 +125,23 @@ void Database::open_to_write() {
     use_write_ahead_log();
 }
 
+void Database::require_directory() const {
+    std::error_code error;
+    const auto found = fs::status(directory_, error).type();
+    if (found == fs::file_type::directory) return;
+    const std::string what = found == fs::file_type::not_found ? "does not exist"
+                             : found == fs::file_type::none
+                                 ? fmt::format("cannot be opened: {}", error.message())
+                                 : "is no directory";
+    throw StoreError(fmt::format("results directory {} {}; name one with --results in which cases "
+                                 "were run, or run some first",
+                                 directory_.string(), what));
+}
+
 /// The log of a writer needs a file beside the database, even to read. Where none can be made
 /// nobody writes either, and the file is read as it is.
 void Database::open_to_read() {
     std::error_code error;
-    const auto found = fs::status(directory_, error).type();
-    if (found == fs::file_type::none) {
-        throw StoreError(fmt::format("results directory {} cannot be opened: {}",
-                                     directory_.string(), error.message()));
-    }
-    if (found != fs::file_type::directory) {
-        throw StoreError(
-            fmt::format("results directory {} {}; name one with --results "
-                        "in which cases were run, or run some first",
-                        directory_.string(),
-                        found == fs::file_type::not_found ? "does not exist" : "is no directory"));
-    }
     if (!fs::exists(file_, error)) {
         connect(":memory:", SQLite::OPEN_READWRITE);
         make_current();

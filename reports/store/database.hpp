@@ -14,9 +14,9 @@ namespace crossgrain::store {
 
 class Database {
   public:
-    /// <directory>/crossgrain.db. Access::write makes both if they are missing. Access::read needs
-    /// the directory; without the file in it the database is empty. A file of format 1 is converted
-    /// first, in either case. Throws StoreError.
+    /// <directory>/crossgrain.db. Access::write makes both if they are missing; to read, a missing
+    /// file is an empty database. A file of format 1 is converted first, in either case. Throws
+    /// StoreError.
     Database(std::filesystem::path directory, Access access, Note note);
     ~Database();
     Database(const Database&) = delete;
@@ -39,6 +39,7 @@ class Database {
   private:
     [[nodiscard]] StoreError failure(const SQLite::Exception& error) const;
     void open_to_write();
+    void require_directory() const;
     void open_to_read();
     void connect(const std::string& name, int flags);
     [[nodiscard]] int format() const;

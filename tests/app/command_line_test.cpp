@@ -55,6 +55,7 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_a_hint) {
 
 BOOST_AUTO_TEST_CASE(advice_needs_a_chart_and_says_which) {
     const Program crossgrain;
+    std::filesystem::create_directories(crossgrain.results());
     const Answer answer = crossgrain({"advise", "collision-normal", "--observable", "restitution",
                                       "--tolerance", "0.01", "--quiet"});
     BOOST_TEST(answer.status == 3);
@@ -152,6 +153,7 @@ BOOST_AUTO_TEST_CASE(inputs_are_written_for_every_code) {
 
 BOOST_AUTO_TEST_CASE(an_empty_history_is_no_error) {
     const Program crossgrain;
+    std::filesystem::create_directories(crossgrain.results());
     const Answer answer = crossgrain({"history", "--json"});
     BOOST_TEST(answer.status == 0);
     BOOST_TEST(json::parse(answer.out)["series"].empty());

@@ -34,7 +34,12 @@ class Program {
     /// Extra environment, e.g. "PATH=/nonexistent".
     std::vector<std::string> environment;
 
-    [[nodiscard]] std::filesystem::path results() const { return directory_.path() / "results"; }
+    /// Of another one, to share its results; empty: its own.
+    std::filesystem::path shared_results;
+
+    [[nodiscard]] std::filesystem::path results() const {
+        return shared_results.empty() ? directory_.path() / "results" : shared_results;
+    }
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_.path(); }
 
     Answer operator()(std::vector<std::string> arguments) const {

@@ -193,6 +193,8 @@ BOOST_AUTO_TEST_CASE(a_store_that_is_only_read_must_be_there) {
     BOOST_TEST(line.find("does not exist") != std::string::npos, line);
     BOOST_TEST(line.find("--results") != std::string::npos, line);
     BOOST_TEST(!std::filesystem::exists(missing));
+    BOOST_TEST(Store(missing, store::Access::read_if_there).history().empty());
+    BOOST_TEST(!std::filesystem::exists(missing));
     // Without anything in it, it is empty, and stays so.
     const Store empty(directory.path(), store::Access::read);
     BOOST_TEST(!empty.find("key").has_value());
