@@ -1,6 +1,6 @@
 // Documents without a finite number and with outcomes the pages do not know.
 import assert from "node:assert/strict";
-import { assertQuiet, greenElements, plots } from "./page_probes.mjs";
+import { assertQuiet, greenElements, openCase, plots } from "./page_probes.mjs";
 
 export async function brokenChecks(check, open, document) {
   const page = await open("index.html");
@@ -16,10 +16,8 @@ export async function brokenChecks(check, open, document) {
     assert.deepEqual(await greenElements(page), []);
   });
   await check("broken findings, pictures and series leave a sentence", async () => {
-    for (const part of await page.locator(".case-part").all()) {
-      await part.locator("> summary").click();
-      await part.locator('[data-plot="series"], .state-map').first().waitFor();
-    }
+    for (const part of await page.locator(".case-part").all())
+      await openCase(page, await part.getAttribute("data-case"));
     await plots(page);
     assert.match(
       await page.locator("#cases").innerText(),

@@ -3,18 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { phenomenaChecks } from "./check_phenomena.mjs";
-import { assertNoOverflow, assertQuiet, greenElements } from "./page_probes.mjs";
-
-const part = (page, name) => page.locator(`.case-part[data-case="${name}"]`);
-
-async function openCase(page, name) {
-  await part(page, name).locator("> summary").click();
-  await page.waitForFunction(
-    (wanted) => !document.querySelector(`.case-part[data-case="${wanted}"]`).innerText.includes("Loading"),
-    name,
-  );
-  return part(page, name);
-}
+import { assertNoOverflow, assertQuiet, greenElements, openCase, part, tooltipOf } from "./page_probes.mjs";
 
 /** Traces and axis types of the series plot of a case. */
 async function seriesPlot(page, name) {
@@ -47,8 +36,7 @@ async function checkReadings(check, page) {
     ]);
   });
   await check("a cell of the readings table tells each verdict with its value", async () => {
-    await table.locator("tbody tr").first().locator(".c-disagree").first().hover();
-    const text = await page.locator("#tooltip").innerText();
+    const text = await tooltipOf(page, table.locator("tbody tr").first().locator(".c-disagree").first());
     for (const piece of ["D/dissipation=0.5", "1.390 ± 0.015", "reason of D/dissipation=0.5"])
       assert.ok(text.includes(piece), `"${piece}" is not in "${text}"`);
   });

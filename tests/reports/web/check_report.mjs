@@ -1,6 +1,6 @@
 // index.html of a document with every kind of verdict, series and failure.
 import assert from "node:assert/strict";
-import { assertNoOverflow, assertQuiet, countTraces, greenElements, plots } from "./page_probes.mjs";
+import { assertNoOverflow, assertQuiet, countTraces, greenElements, plots, tooltipOf } from "./page_probes.mjs";
 
 async function checkMatrix(check, page, verdicts) {
   await check("every verdict has its cell, in words", async () => {
@@ -36,8 +36,8 @@ async function checkMatrix(check, page, verdicts) {
     }
   });
   await check("the tooltip has all digits, the limit's reason and the reason", async () => {
-    await page.locator('#matrix [data-verdict="disagree"][data-expected="true"]').hover();
-    const text = await page.locator("#tooltip").innerText();
+    const cell = page.locator('#matrix [data-verdict="disagree"][data-expected="true"]');
+    const text = await tooltipOf(page, cell);
     for (const part of ["0.00331", "second order scheme", "first order in dt"])
       assert.ok(text.includes(part), `"${part}" is not in "${text}"`);
   });

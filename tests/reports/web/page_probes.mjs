@@ -15,6 +15,30 @@ export async function plots(page) {
   });
 }
 
+/** The folded part of a case. */
+export const part = (page, name) => page.locator(`.case-part[data-case="${name}"]`);
+
+/**
+ * Opens a folded case and returns it once it shows all it has: a case is filled by an event that the
+ * browser sends some time after the click, and its series come from a file.
+ */
+export async function openCase(page, name) {
+  await part(page, name).locator("> summary").click();
+  await page.waitForFunction((wanted) => {
+    const opened = document.querySelector(`.case-part[data-case="${wanted}"]`);
+    const place = opened.querySelector(":scope > div");
+    return opened.open && place.childElementCount > 0 && !place.textContent.includes("Loading");
+  }, name);
+  return part(page, name);
+}
+
+/** Text of the tooltip that shows when the pointer rests on `target`. */
+export async function tooltipOf(page, target) {
+  await target.hover();
+  await page.locator("#tooltip").waitFor({ state: "visible" });
+  return page.locator("#tooltip").innerText();
+}
+
 export const countTraces = (plot, meta) => plot.traces.filter((trace) => trace.meta === meta).length;
 
 /** Elements that show green in any way, as "tag.class: text". */
