@@ -4,6 +4,10 @@
 
 namespace crossgrain::reports {
 
+std::string json_text(const nlohmann::json& value, int indent) {
+    return value.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 const nlohmann::json& list_at(const nlohmann::json& object, const char* key) {
     static const nlohmann::json none = nlohmann::json::array();
     if (!object.is_object()) return none;

@@ -7,6 +7,10 @@
 
 namespace crossgrain::reports {
 
+/// `value` as JSON in valid UTF-8, whatever bytes its texts hold: what is no UTF-8 becomes U+FFFD.
+/// Numbers that are not finite become null. `indent` < 0: on one line.
+[[nodiscard]] std::string json_text(const nlohmann::json& value, int indent = 2);
+
 /// The array at `key`, or an empty one.
 [[nodiscard]] const nlohmann::json& list_at(const nlohmann::json& object, const char* key);
 

@@ -46,11 +46,15 @@ Result result_of(const Json& verdict) {
     return is_one_of(outcome, {"agree", "disagree"}) ? Result::passed : Result::skipped;
 }
 
-/// XML 1.0 cannot hold most control characters, and bytes that are not UTF-8 make it unreadable.
+/// XML 1.0 cannot hold most control characters nor U+FFFE and U+FFFF, and bytes that are not UTF-8
+/// make it unreadable.
 std::string xml(const std::string& text) {
-    const std::string clean =
-        Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
-            .get<std::string>();
+    std::string clean = Json::parse(json_text(text, -1)).get<std::string>();
+    for (const char* noncharacter : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+        for (auto at = clean.find(noncharacter); at != std::string::npos;
+             at = clean.find(noncharacter, at))
+            clean.replace(at, 3, "?");
+    }
     std::string result;
     for (const char c : clean) {
         switch (c) {

@@ -1,6 +1,9 @@
 #include "reports/web/web_report.hpp"
 
 #include <array>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -38,11 +41,12 @@ bool is_data(const fs::path& path) {
 void copy_assets(const fs::path& assets, const fs::path& directory) {
     for (const auto& entry : fs::directory_iterator(assets)) {
         if (!entry.is_regular_file() || is_data(entry.path())) continue;
-        const fs::path target = directory / entry.path().filename();
-        std::error_code error;
-        fs::copy_file(entry.path(), target, fs::copy_options::overwrite_existing, error);
-        if (error)
-            throw std::system_error(error, fmt::format("cannot write '{}'", target.string()));
+        std::ifstream in(entry.path(), std::ios::binary);
+        const std::string bytes(std::istreambuf_iterator<char>(in), {});
+        if (!in)
+            throw std::system_error(EIO, std::generic_category(),
+                                    fmt::format("cannot read '{}'", entry.path().string()));
+        write_file_atomically(directory / entry.path().filename(), bytes);
     }
 }
 

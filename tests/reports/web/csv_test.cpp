@@ -48,6 +48,18 @@ BOOST_AUTO_TEST_CASE(verdicts_quote_commas_quotes_and_line_ends) {
                "0.001,disagree,false,\"\"\"first\norder\"\"\",\n");
 }
 
+// Spreadsheets run what begins like a formula; a negative number stays a number.
+BOOST_AUTO_TEST_CASE(texts_are_never_formulas) {
+    BOOST_TEST(csv_field("=1+1") == "'=1+1");
+    BOOST_TEST(csv_field("@x") == "'@x");
+    BOOST_TEST(csv_field("-x,y") == "\"'-x,y\"");
+    BOOST_TEST(csv_field("a=b") == "a=b");
+    BOOST_TEST(csv_field("\x1b\xff") == "\\x1b\\xff");
+    const json verdict = {{"code", "+code"}, {"difference", -0.5}};
+    const json document = {{"cases", {{{"case", "c"}, {"verdicts", {verdict}}}}}};
+    BOOST_TEST(verdicts_csv(document).ends_with("\nc,'+code,,,,,-0.5,,,,,,\n"));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_missing_is_empty) {
     BOOST_TEST(verdicts_csv(json::object()).find('\n') != std::string::npos);
     const json document = {{"cases", {{{"case", "c"}, {"measurements", {json::object()}}}}}};

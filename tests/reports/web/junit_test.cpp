@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "reports/web/junit.hpp"
+#include "tests/support/well_formed_xml.hpp"
 
 using crossgrain::reports::junit_xml;
 using nlohmann::json;
@@ -94,6 +95,24 @@ BOOST_AUTO_TEST_CASE(text_is_valid_xml) {
     BOOST_TEST(contains(xml, "&lt;a href=&quot;x&quot;&gt; &amp; ?[31m\xEF\xBF\xBD&#10;second"));
     BOOST_TEST(!contains(xml, "\x1b"));
     BOOST_TEST(!contains(xml, "\xff"));
+}
+
+// Every byte, and every character that XML 1.0 forbids, in each place that takes a text.
+BOOST_AUTO_TEST_CASE(whatever_texts_hold_the_xml_is_well_formed) {
+    std::string all = "\xEF\xBF\xBE \xEF\xBF\xBF \xED\xA0\x80 \xF0\x9F\xBF\xBE ]]> ";
+    for (int byte = 0; byte < 256; ++byte)
+        all += static_cast<char>(byte);
+    json verdict = {{"verdict", "disagree"}, {"code", all},   {"observable", all}, {"kind", all},
+                    {"against", all},        {"reason", all}, {"setting", all}};
+    for (const bool expected : {true, false}) {
+        verdict["expected"] = expected;
+        const std::string xml = junit_xml({{"cases", {{{"case", all}, {"verdicts", {verdict}}}}}});
+        BOOST_TEST(crossgrain::tests::fault_in_xml(xml) == "");
+    }
+    // The checker itself sees faults.
+    for (const char* bad : {"<a>", "<a></b>", "<a>&</a>", "<a b=\"<\"/>", "<a>\xff</a>",
+                            "<a>\x01</a>", "<a>\xEF\xBF\xBE</a>", "<a>< </a>", "</a>"})
+        BOOST_TEST(crossgrain::tests::fault_in_xml(bad) != "", bad);
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_document_has_no_tests) {
