@@ -2,6 +2,7 @@
 
 #include "app/source_digest.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ std::string field(const char* file, const std::string& name, char separator) {
         if (!line.starts_with(name)) continue;
         std::string value = line.substr(std::min(line.find(separator), line.size() - 1) + 1);
         std::erase(value, '"');
-        return value.substr(std::min(value.find_first_not_of(' '), value.size()));
+        return printable(value.substr(std::min(value.find_first_not_of(' '), value.size())));
     }
     return "unknown";
 }

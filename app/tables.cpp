@@ -1,6 +1,7 @@
 #include "app/tables.hpp"
 
 #include "app/text_table.hpp"
+#include "native/base/printable.hpp"
 #include "reference/compare/parity.hpp"
 
 #include <fmt/format.h>
@@ -190,6 +191,16 @@ std::string certificate_table(const SessionReport& report) {
     return table.empty() ? "" : table.text(0);
 }
 
+namespace {
+
+/// Reasons quote programs and files; of these a line says enough, --json says all.
+std::string one_line(const std::string& reason) {
+    constexpr std::size_t longest = 1000;
+    return printable(reason, longest);
+}
+
+}  // namespace
+
 std::string exceptions_list(const SessionReport& report) {
     std::string text;
     for (const auto& item : report.cases) {
@@ -198,14 +209,14 @@ std::string exceptions_list(const SessionReport& report) {
             if (run.status == "run_failed") failures.insert(run.reason);
         }
         for (const auto& reason : failures) {
-            text += fmt::format("run_failed: {}: {}\n", item.the_case->name, reason);
+            text += fmt::format("run_failed: {}: {}\n", item.the_case->name, one_line(reason));
         }
         for (const auto& v : item.evaluation.verdicts) {
             if (v.expected || v.outcome == Outcome::run_failed) continue;
-            text += fmt::format("{}: {} {} {}{}{}: {}\n", compare::to_string(v.outcome),
-                                item.the_case->name, v.observable,
-                                v.setting.empty() ? "" : fmt::format("[{}] ", v.setting), v.code,
-                                v.against.empty() ? "" : " against " + v.against, v.reason);
+            text += fmt::format(
+                "{}: {} {} {}{}{}: {}\n", compare::to_string(v.outcome), item.the_case->name,
+                v.observable, v.setting.empty() ? "" : fmt::format("[{}] ", v.setting), v.code,
+                v.against.empty() ? "" : " against " + v.against, one_line(v.reason));
         }
     }
     return text;

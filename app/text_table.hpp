@@ -9,9 +9,11 @@ namespace crossgrain::app {
 class TextTable {
   public:
     explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    /// A row on one line: what cannot be shown is escaped (printable.hpp).
+    void add(std::vector<std::string> row);
     [[nodiscard]] bool empty() const noexcept { return rows_.size() < 2; }
-    /// Columns separated by two spaces; indented by `indent` spaces.
+    /// Columns as wide as their longest cell in characters, separated by two spaces; indented by
+    /// `indent` spaces.
     [[nodiscard]] std::string text(std::size_t indent = 2) const;
 
   private:

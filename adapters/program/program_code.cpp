@@ -5,10 +5,12 @@
 #include "adapters/process/process.hpp"
 #include "adapters/program/trajectory_stream.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cerrno>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -33,9 +35,12 @@ std::string log_tail(const fs::path& directory) {
 }
 
 void write_file(const fs::path& path, const std::string& text) {
+    errno = 0;
     std::ofstream out(path, std::ios::binary);
     out << text;
-    if (!out.flush()) throw std::ios_base::failure(fmt::format("cannot write {}", path.string()));
+    if (!out.flush())
+        throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
+                                fmt::format("cannot write '{}'", path.string()));
 }
 
 std::string first_line(const std::string& text) {
@@ -127,7 +132,10 @@ Availability ProgramCode::ask() const {
     const auto question = command_line(version_arguments());
     const auto answer = process::output_of(question, time_limit);
     if (!answer) return {.reason = fmt::format("'{}' does not run", fmt::join(question, " "))};
-    return availability_from(*answer);
+    auto available = availability_from(*answer);
+    available.version = printable(available.version);
+    available.reason = printable(available.reason);
+    return available;
 }
 
 RunCost ProgramCode::run(const scene::Scene& scene, const RunOptions& options,
