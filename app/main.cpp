@@ -1,7 +1,9 @@
 // The command line. Errors become one line on stderr and an exit code.
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/session.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <csignal>
 #include <functional>
 #include <map>
+#include <sstream>
 #include <stop_token>
 #include <thread>
 
@@ -17,6 +20,8 @@ namespace {
 
 using namespace crossgrain;
 using app::Settings;
+
+constexpr std::size_t longest_argument = 1000;  // of the command line as it is recorded
 
 /// Turns Ctrl-C and SIGTERM into a stop request. A thread waits for them, because little may be
 /// done in a signal handler; a second Ctrl-C ends the program at once.
@@ -189,6 +194,12 @@ void choose_suite(const CLI::App& command, Arguments& arguments) {
     arguments.settings.suite = quick ? catalog::Suite::quick : catalog::Suite::full;
 }
 
+/// Without line feeds at its end.
+std::string trimmed(std::string text) {
+    text.erase(text.find_last_not_of('\n') + 1);
+    return text;
+}
+
 int run_program(int argc, char** argv) {
     const SignalStop stop;
     CLI::App program{"crossgrain: cross-validation of granular codes"};
@@ -202,32 +213,50 @@ int run_program(int argc, char** argv) {
     program.add_flag("--json", settings.json, "one JSON document on stdout");
     program.add_flag("--quiet", settings.quiet, "no progress");
     for (int i = 0; i < argc; ++i) {
-        settings.command += i == 0 ? "crossgrain" : fmt::format(" {}", argv[i]);
+        settings.command += i == 0 ? "crossgrain" : " " + printable(argv[i], longest_argument);
     }
     const auto actions = add_commands(program, arguments);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? app::exit_ok : app::exit_usage;
+        std::ostringstream text, complaint;
+        const bool asked = program.exit(error, text, complaint) == 0;
+        app::print_result_text(text.str());
+        if (!complaint.str().empty()) app::print_note("{}", trimmed(complaint.str()));
+        return asked ? app::exit_ok : app::exit_usage;
     }
     auto* command = program.get_subcommands().front();
     choose_suite(*command, arguments);
     return actions.at(command)(arguments, stop.token());
 }
 
-}  // namespace
+int failed(const std::exception& error, int code) {
+    app::flush_results();  // where both go to one file, the results come first
+    app::print_note("error: {}", error.what());
+    return code;
+}
 
-int main(int argc, char** argv) {
+int guarded_run(int argc, char** argv) {
     try {
         return run_program(argc, argv);
     } catch (const CaseError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
-        return app::exit_usage;
+        return failed(error, app::exit_usage);
     } catch (const store::StoreError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
-        return app::exit_usage;
+        return failed(error, app::exit_usage);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
-        return app::exit_run_failed;
+        return failed(error, app::exit_run_failed);
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    app::open_standard_streams();
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is seen by the write that fails
+    const int code = guarded_run(argc, argv);
+    if (const auto reason = app::lost_results()) {
+        app::print_note("error: standard output cannot be written: {}", *reason);
+        return code == app::exit_interrupted ? code : app::exit_run_failed;
+    }
+    return code;
 }

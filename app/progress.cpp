@@ -1,9 +1,12 @@
 #include "app/progress.hpp"
 
+#include "app/output.hpp"
+#include "native/base/printable.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace crossgrain::app {
@@ -15,14 +18,20 @@ std::string duration_text(double seconds) {
     return fmt::format("{:.1f} h", seconds / 3600);
 }
 
+int terminal_columns() {
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : 80;
+}
+
 }  // namespace
 
 Progress::Progress(bool quiet, std::size_t runs, double total_seconds, unsigned workers)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), runs_(runs), total_(total_seconds),
       start_(Clock::now()), drawn_(start_) {
     if (quiet_) return;
-    fmt::print(stderr, "{} {} to compute, about {} with {} side by side\n", runs,
-               runs == 1 ? "run" : "runs", duration_text(total_seconds / workers), workers);
+    print_note("{} {} to compute, about {} with {} side by side", runs, runs == 1 ? "run" : "runs",
+               duration_text(total_seconds / workers), workers);
 }
 
 Progress::~Progress() {
@@ -47,7 +56,8 @@ void Progress::finished(const std::string& run, double seconds, const std::strin
         redraw();
         return;
     }
-    fmt::print(stderr, "[{}/{}, {} left] {}: {}\n", ended_, runs_, time_left(), run, how);
+    print_note("[{}/{}, {} left] {}: {}", ended_, runs_, time_left(), printable(run),
+               printable(how));
 }
 
 double Progress::fraction_done() const {
@@ -69,14 +79,15 @@ void Progress::redraw() {
     const int filled = static_cast<int>(fraction_done() * width);
     std::string names;
     for (const auto& [run, seconds] : running_)
-        names += " " + run;
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}/{} runs, {} left{:.60}", "", filled, "",
-               width - filled, ended_, runs_, time_left(), names);
-    std::fflush(stderr);
+        names += " " + printable(run);
+    const std::string line = fmt::format("[{:#<{}}{:.<{}}] {}/{} runs, {} left{:.60}", "", filled,
+                                         "", width - filled, ended_, runs_, time_left(), names);
+    // A line that is wrapped could not be rewritten.
+    write_to_stderr(fmt::format("\r\033[K{:.{}}", line, terminal_columns() - 1));
 }
 
 void Progress::clear_line() const {
-    if (terminal_ && !quiet_) fmt::print(stderr, "\r\033[K");
+    if (terminal_ && !quiet_) write_to_stderr("\r\033[K");
 }
 
 }  // namespace crossgrain::app

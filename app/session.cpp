@@ -3,6 +3,7 @@
 #include "app/catalogue/catalogue.hpp"
 #include "app/evaluate/compare_summary.hpp"
 #include "app/model_runs.hpp"
+#include "app/output.hpp"
 #include "app/plan.hpp"
 #include "app/runner.hpp"
 #include "native/base/errors.hpp"
@@ -31,7 +32,7 @@ void record(const SessionReport& report, const Settings& settings, store::Store&
 void warn(const scene::AnyScene& scene, const Settings& settings) {
     if (settings.quiet) return;
     for (const auto& line : scene::warnings_of(scene))
-        fmt::print(stderr, "warning: {}\n", line);
+        print_note("warning: {}", line);
 }
 
 std::string name_of(catalog::Suite suite) {

@@ -18,7 +18,7 @@ enum ExitCode : int {
     exit_ok = 0,          ///< every verdict is `agree` or as expected
     exit_verdict = 1,     ///< an unexpected verdict or a regression
     exit_usage = 2,       ///< bad usage or bad input
-    exit_run_failed = 3,  ///< a run failed, or a code asked for is not installed
+    exit_run_failed = 3,  ///< a run failed, a code asked for is absent, or output is lost
     exit_interrupted = 130
 };
 

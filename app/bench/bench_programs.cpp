@@ -5,12 +5,12 @@
 #include "adapters/process/process.hpp"
 #include "adapters/yade/yade_code.hpp"
 #include "native/base/errors.hpp"
+#include "reports/web/atomic_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -64,7 +64,7 @@ adapters::RunCost run_lammps(const scene::Scene& scene, double skin, int ranks,
             file.text.insert(run, fmt::format("\nneighbor {:.3g} bin", skin));
             argv.push_back(file.name);
         }
-        std::ofstream(scratch.path() / file.name) << file.text;
+        reports::write_file_atomically(scratch.path() / file.name, file.text);
     }
     if (ranks > 1) {
         argv.insert(argv.begin(), {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np",

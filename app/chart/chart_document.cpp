@@ -1,7 +1,9 @@
 #include "app/chart/chart_document.hpp"
 
+#include "app/digest.hpp"
 #include "app/text_table.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/file_stem.hpp"
 #include "reports/web/csv.hpp"
 
 #include <fmt/format.h>
@@ -89,6 +91,11 @@ json chart_json(const Chart& chart) {
             {"failures", std::move(failures)}};
 }
 
+std::string chart_stem(const std::string& case_name) {
+    const std::string stem = file_stem({case_name});
+    return stem == case_name ? stem : fmt::format("{}-{:.8}", stem, sha256(case_name));
+}
+
 void add_earlier_charts(const std::filesystem::path& directory, json& charts) {
     std::set<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(directory))
@@ -97,15 +104,14 @@ void add_earlier_charts(const std::filesystem::path& directory, json& charts) {
     for (const auto& chart : charts)
         present.insert(chart.at("case").get<std::string>());
     for (const auto& file : files) {
-        if (present.contains(file.stem().string())) continue;
         std::ifstream in(file);
         auto chart = json::parse(in, nullptr, false);
-        if (!chart.is_object() || !chart.contains("case")) {
+        if (!chart.is_object() || !chart.contains("case") || !chart["case"].is_string()) {
             throw CaseError({.file = file.string(),
                              .problem = "is no chart",
                              .hint = "delete it, or chart its case again"});
         }
-        charts.push_back(std::move(chart));
+        if (!present.contains(chart["case"].get<std::string>())) charts.push_back(std::move(chart));
     }
 }
 

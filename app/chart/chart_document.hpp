@@ -16,6 +16,9 @@ namespace crossgrain::app {
 /// count}]}; failures of one code with the same reason are one entry.
 [[nodiscard]] nlohmann::json chart_json(const Chart& chart);
 
+/// Name of a case's chart files, without extension: the name of the case where it can be one.
+[[nodiscard]] std::string chart_stem(const std::string& case_name);
+
 /// Adds the charts that earlier calls left in the directory, by name, to those of this one: an
 /// array of charts. Throws CaseError for a file that is none.
 void add_earlier_charts(const std::filesystem::path& directory, nlohmann::json& charts);

@@ -3,6 +3,7 @@
 #include "app/chart/advise.hpp"
 #include "app/chart/expected_cost.hpp"
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/plan.hpp"
 #include "app/progress.hpp"
 #include "app/session.hpp"
@@ -117,9 +118,8 @@ int advise_case(const Settings& given, const AdviseRequest& request) {
     store::Store store = open_store(settings, store::Access::read);
     const auto report = run_session(settings, store, {}, false);
     if (const Missing missing = missing_runs(report, settings); missing.runs > 0) {
-        fmt::print(stderr,
-                   "error: {} runs of the chart are not in the store; run 'crossgrain chart {}' "
-                   "first, about {:.0f} s on {} cores\n",
+        print_note("error: {} runs of the chart are not in the store; run 'crossgrain chart {}' "
+                   "first, about {:.0f} s on {} cores",
                    missing.runs, settings.cases.front(), missing.cpu_s / this_machine().cores,
                    this_machine().cores);
         return exit_run_failed;
@@ -132,12 +132,10 @@ int advise_case(const Settings& given, const AdviseRequest& request) {
         const Advice advice = advise(charted, request.tolerance);
         enough = enough && advice.cheapest.has_value();
         answers.push_back(json_of(advice));
-        if (!settings.json) fmt::print("{}", text_of(advice));
+        if (!settings.json) print_result_text(text_of(advice));
     }
     if (answers.empty()) throw unknown_observable(chart, request.observable);
-    if (settings.json) {
-        fmt::print("{}\n", json{{"case", chart.case_name}, {"advice", answers}}.dump(2));
-    }
+    if (settings.json) print_document({{"case", chart.case_name}, {"advice", answers}});
     return enough ? exit_ok : exit_verdict;
 }
 

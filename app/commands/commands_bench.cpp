@@ -1,6 +1,7 @@
 // crossgrain bench: speed side by side, in one run.
 #include "app/bench/bench.hpp"
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/session.hpp"
 #include "app/text_table.hpp"
 #include "cases/toml/toml_table.hpp"
@@ -93,22 +94,22 @@ int run_benches(const Settings& settings, const std::vector<std::string>& names,
     }
     json documents = json::array();
     for (const Bench* bench : chosen) {
-        if (!settings.quiet) fmt::print(stderr, "bench {}: {}\n", bench->name, bench->title);
+        if (!settings.quiet) print_note("bench {}: {}", bench->name, bench->title);
         const auto progress = [&](const std::string& line) {
-            if (!settings.quiet) fmt::print(stderr, "  {}\n", line);
+            if (!settings.quiet) print_note("  {}", line);
         };
         const BenchReport report = bench->run({.quick = quick, .stop = stop, .progress = progress});
         if (settings.json) {
             documents.push_back(bench_json(*bench, report));
             continue;
         }
-        fmt::print("bench {}\n{}\n{}", bench->name, rows_table(report), targets_table(report));
+        print_results("bench {}\n{}\n{}", bench->name, rows_table(report), targets_table(report));
         for (const auto& note : report.notes)
-            fmt::print("  {}\n", note);
+            print_results("  {}\n", note);
     }
     if (settings.json) {
         // One bench is one document, as scripts expect it; several are a list.
-        fmt::print("{}\n", (documents.size() == 1 ? documents.front() : documents).dump(2));
+        print_document(documents.size() == 1 ? documents.front() : documents);
     }
     return stop.stop_requested() ? exit_interrupted : exit_ok;
 }

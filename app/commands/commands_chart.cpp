@@ -3,44 +3,63 @@
 #include "app/catalogue/catalogue.hpp"
 #include "app/chart/chart_document.hpp"
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/session.hpp"
 #include "reports/web/atomic_file.hpp"
+#include "reports/web/document.hpp"
 #include "reports/web/web_report.hpp"
 
-#include <fmt/format.h>
+#include <exception>
 
 namespace crossgrain::app {
+namespace {
+
+/// The charts of this call below <directory>/charts, and the page of these and of earlier ones.
+void write_charts(const std::vector<Chart>& charts, const nlohmann::json& document,
+                  const std::filesystem::path& directory) {
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+        const auto stem = (directory / "charts" / chart_stem(charts[i].case_name)).string();
+        reports::write_file_atomically(stem + ".csv", chart_csv(charts[i]));
+        reports::write_file_atomically(stem + ".json",
+                                       reports::json_text(document["charts"][i], 1) + "\n");
+    }
+    nlohmann::json page = document;
+    add_earlier_charts(directory / "charts", page["charts"]);
+    reports::write_chart_page(page, directory, share_directory() / "web");
+}
+
+}  // namespace
 
 int chart_cases(const Settings& given, std::stop_token stop) {
     Settings settings = given;
     settings.suite = catalog::Suite::chart;
     store::Store store = open_store(settings, store::Access::write);
     const auto report = run_session(settings, store, std::move(stop), true);
-    nlohmann::json charts = nlohmann::json::array();
-    const auto directory = settings.results / "report";
+    std::vector<Chart> charts;
+    nlohmann::json list = nlohmann::json::array();
     for (const auto& item : report.cases) {
-        const Chart chart = chart_of(item);
-        charts.push_back(chart_json(chart));
-        charts.back()["created"] = store::utc_now();
-        charts.back()["version"] = program_version();
-        reports::write_file_atomically(directory / "charts" / (chart.case_name + ".csv"),
-                                       chart_csv(chart));
-        reports::write_file_atomically(directory / "charts" / (chart.case_name + ".json"),
-                                       charts.back().dump(1) + "\n");
-        if (!settings.json) fmt::print("{}\n", chart_table(chart));
+        charts.push_back(chart_of(item));
+        list.push_back(chart_json(charts.back()));
+        list.back()["created"] = store::utc_now();
+        list.back()["version"] = program_version();
     }
     const Machine machine = this_machine();
     const nlohmann::json document{{"version", program_version()},
                                   {"created", store::utc_now()},
                                   {"command", settings.command},
                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
-                                  {"charts", charts}};
-    // Before the page, which a file of another call can spoil: what was computed is told.
-    if (settings.json) fmt::print("{}\n", document.dump(2));
-    nlohmann::json page = document;
-    add_earlier_charts(directory / "charts", page["charts"]);
-    reports::write_chart_page(page, directory, share_directory() / "web");
-    if (!settings.json) fmt::print("written: {}\n", (directory / "charts.html").string());
+                                  {"charts", std::move(list)}};
+    const auto directory = settings.results / "report";
+    // A file of another call can spoil the page; what was computed is told all the same.
+    const auto failure = failure_of([&] { write_charts(charts, document, directory); });
+    if (settings.json) {
+        print_document(document);
+    } else {
+        for (const auto& chart : charts)
+            print_results("{}\n", chart_table(chart));
+        if (!failure) print_results("written: {}\n", (directory / "charts.html").string());
+    }
+    if (failure) std::rethrow_exception(failure);
     // A rung that fails is a result here; a run that nobody let finish is not.
     return report.interrupted ? exit_interrupted : exit_ok;
 }

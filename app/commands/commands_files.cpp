@@ -5,20 +5,24 @@
 #include "app/documents.hpp"
 #include "app/evaluate/evaluate.hpp"
 #include "app/model_runs.hpp"
+#include "app/output.hpp"
 #include "app/plan.hpp"
 #include "app/preparation.hpp"
 #include "app/session.hpp"
 #include "app/tables.hpp"
+#include "app/written_input.hpp"
 
 #include "adapters/dump/dump_reader.hpp"
 #include "cases/scene/frame_guard.hpp"
 #include "cases/toml/toml_table.hpp"
+#include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
+#include "reports/web/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 
 namespace crossgrain::app {
 namespace {
@@ -63,11 +67,12 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
     store::RunRecord record{.case_name = the_case.name,
                             .variant = the_case.variants[variant].name,
                             .rung = request.rung - 1,
-                            .code = request.name,
+                            .code = printable(request.name),
                             .version = "read from a dump",
                             .seed = settings.seed,
                             .created = store::utc_now()};
-    record.settings_json = nlohmann::json{{"dump", request.dump.string()}}.dump();
+    const std::string dump = printable(request.dump.string(), std::string::npos);
+    record.settings_json = nlohmann::json{{"dump", dump}}.dump();
     try {
         adapters::dump::read_dump_file(request.dump, scene, std::ref(guard));
         guard.finish();
@@ -76,7 +81,7 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
         record.status = "ok";
     } catch (const TrajectoryError& error) {
         record.status = "run_failed";
-        record.reason = fmt::format("{}: {}", request.dump.string(), error.what());
+        record.reason = fmt::format("{}: {}", dump, printable(error.what()));
     }
     return record;
 }
@@ -91,31 +96,30 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
                          .expected = "the code whose input to write"});
     }
     const auto the_case = the_one_case(settings);
-    int written = 0;
-    std::string refusal;
-    Preparations preparations = preparations_in(settings);
-    for (const auto& run : plan(*the_case, select_codes(settings.codes), settings)) {
+    const auto runs = plan(*the_case, select_codes(settings.codes), settings);
+    std::vector<const PlannedRun*> expressible;
+    for (const auto& run : runs) {
         if (const auto reason = cannot_express(*run.code, *run.scene)) {
-            fmt::print(stderr, "not_expressible: {}: {}\n", scene::name_of(*run.scene), *reason);
-            continue;
+            print_note("not_expressible: {}: {}", scene::name_of(*run.scene), *reason);
+        } else {
+            expressible.push_back(&run);
         }
-        std::string name = fmt::format("{}-seed{}", scene::name_of(*run.scene), run.record.seed);
-        std::replace(name.begin(), name.end(), '/', '-');
-        std::filesystem::create_directories(out / name);
-        const auto ready = preparations.prepared(run.scene, run.time_limit, {});
-        for (const auto& file : input_of(*run.code, *ready)) {
-            std::ofstream stream(out / name / file.name);
-            stream << file.text;
-            if (!stream.flush()) {
-                throw CaseError({.file = (out / name / file.name).string(),
-                                 .problem = "cannot be written",
-                                 .expected = "a directory with room in it"});
-            }
-        }
-        fmt::print("{}\n", (out / name).string());
-        ++written;
     }
-    return written > 0 ? exit_ok : exit_run_failed;
+    const auto names = input_directory_names(expressible);
+    Preparations preparations = preparations_in(settings);
+    std::vector<WrittenInput> inputs;
+    for (std::size_t i = 0; i < expressible.size(); ++i) {
+        const PlannedRun& run = *expressible[i];
+        const auto ready = preparations.prepared(run.scene, run.time_limit, {});
+        inputs.push_back({.directory = out / names[i], .files = input_of(*run.code, *ready)});
+        prepare_directory(inputs.back());
+    }
+    for (const auto& [directory, files] : inputs) {
+        for (const auto& file : files)
+            reports::write_file_atomically(directory / file.name, file.text);
+        print_results("{}\n", directory.string());
+    }
+    return inputs.empty() ? exit_run_failed : exit_ok;
 }
 
 int read_dump(const Settings& settings, const ReadRequest& request) {
@@ -152,9 +156,9 @@ int read_dump(const Settings& settings, const ReadRequest& request) {
     });
     SessionReport report{.cases = {{the_case, std::move(runs), std::move(evaluation)}}};
     if (settings.json) {
-        fmt::print("{}\n", cases_document(report).dump(2));
+        print_document(cases_document(report));
     } else {
-        fmt::print("{}\n{}", case_table(report.cases.front()), exceptions_list(report));
+        print_results("{}\n{}", case_table(report.cases.front()), exceptions_list(report));
     }
     return failed ? exit_run_failed : exit_code(report, settings);
 }

@@ -2,6 +2,7 @@
 #include "app/catalogue/catalogue.hpp"
 #include "app/commands/commands.hpp"
 #include "app/documents.hpp"
+#include "app/output.hpp"
 #include "app/session.hpp"
 #include "app/text_table.hpp"
 
@@ -14,7 +15,7 @@ namespace crossgrain::app {
 int list_codes(const Settings& settings) {
     const auto document = codes_document();
     if (settings.json) {
-        fmt::print("{}\n", document.dump(2));
+        print_document(document);
         return exit_ok;
     }
     TextTable table({"code", "status", "version", "expresses"});
@@ -30,7 +31,7 @@ int list_codes(const Settings& settings) {
             first = false;
         }
     }
-    fmt::print("{}", table.text(0));
+    print_result_text(table.text(0));
     return exit_ok;
 }
 
@@ -53,9 +54,9 @@ int list_cases(const Settings& settings) {
                    found.source});
     }
     if (settings.json) {
-        fmt::print("{}\n", nlohmann::json{{"cases", std::move(list)}}.dump(2));
+        print_document({{"cases", std::move(list)}});
     } else {
-        fmt::print("{}", table.text(0));
+        print_result_text(table.text(0));
     }
     return exit_ok;
 }
@@ -72,11 +73,9 @@ int list_observables(const Settings& settings) {
                    fmt::format("{}", fmt::join(entry.options, ", "))});
     }
     if (settings.json) {
-        fmt::print(
-            "{}\n",
-            nlohmann::json{{"observables", std::move(list)}, {"oracles", oracle_names()}}.dump(2));
+        print_document({{"observables", std::move(list)}, {"oracles", oracle_names()}});
     } else {
-        fmt::print("{}\noracles: {}\n", table.text(0), fmt::join(oracle_names(), ", "));
+        print_results("{}\noracles: {}\n", table.text(0), fmt::join(oracle_names(), ", "));
     }
     return exit_ok;
 }

@@ -7,8 +7,10 @@
 #include "app/evaluate/compare_summary.hpp"
 #include "app/history.hpp"
 #include "app/models/models_table.hpp"
+#include "app/output.hpp"
 #include "app/session.hpp"
 #include "app/tables.hpp"
+#include "reports/web/atomic_file.hpp"
 #include "reports/web/csv.hpp"
 #include "reports/web/junit.hpp"
 #include "reports/web/web_report.hpp"
@@ -17,39 +19,36 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <system_error>
+#include <exception>
 
 namespace crossgrain::app {
 namespace {
 
 /// What happened besides the results, on stderr; and the exit code.
 int close_session(const SessionReport& report, const Settings& settings) {
-    std::fflush(stdout);  // where both go to one file, the results come first
+    flush_results();
     if (!report.store_error.empty()) {
-        fmt::print(stderr, "error: {}; the results above are complete but not stored\n",
-                   report.store_error);
+        print_note("error: {}; the results above are complete but not stored", report.store_error);
     }
     if (report.interrupted) {
-        fmt::print(stderr, "interrupted: {} runs are stored; the same command goes on from there\n",
+        print_note("interrupted: {} runs are stored; the same command goes on from there",
                    report.computed + report.from_store);
     }
     if (!settings.quiet) {
-        fmt::print(stderr, "{} runs computed, {} taken from {}\n", report.computed,
-                   report.from_store, settings.results.string());
+        print_note("{} runs computed, {} taken from {}", report.computed, report.from_store,
+                   settings.results.string());
     }
     return exit_code(report, settings);
 }
 
 void print_cases(const SessionReport& report, const Settings& settings) {
     if (settings.json) {
-        fmt::print("{}\n", cases_document(report).dump(2));
+        print_document(cases_document(report));
         return;
     }
     for (const auto& item : report.cases)
-        fmt::print("{}\n", case_table(item));
-    fmt::print("{}\n{}", verdict_table(report), exceptions_list(report));
+        print_results("{}\n", case_table(item));
+    print_results("{}\n{}", verdict_table(report), exceptions_list(report));
 }
 
 /// Pages, JUnit XML and CSV below <results>/report.
@@ -58,16 +57,10 @@ void write_report_files(const SessionReport& report, const store::Store& store,
     const auto document = report_document(report, history_of(store.history()), settings);
     const auto directory = settings.results / "report";
     reports::write_web_report(document, directory, share_directory() / "web");
-    const auto write = [&](const char* name, const std::string& text) {
-        std::ofstream out(directory / name);
-        out << text;
-        if (!out.flush()) {
-            throw std::system_error(errno, std::generic_category(), (directory / name).string());
-        }
-    };
-    write("junit.xml", reports::junit_xml(document));
-    write("measurements.csv", reports::measurements_csv(document));
-    write("verdicts.csv", reports::verdicts_csv(document));
+    reports::write_file_atomically(directory / "junit.xml", reports::junit_xml(document));
+    reports::write_file_atomically(directory / "measurements.csv",
+                                   reports::measurements_csv(document));
+    reports::write_file_atomically(directory / "verdicts.csv", reports::verdicts_csv(document));
 }
 
 /// Names of phenomena among those of cases.
@@ -91,7 +84,7 @@ void open_in_browser(const std::filesystem::path& page) {
                                      .directory = page.parent_path(),
                                      .time_limit = 30})
                                .status == 0;
-    if (!shown) fmt::print(stderr, "no program is set up to open HTML pages here\n");
+    if (!shown) print_note("no program is set up to open HTML pages here");
 }
 
 }  // namespace
@@ -123,15 +116,15 @@ int compare_cases(const Settings& settings) {
             document = cases_document(report);
         } else {
             print_cases(report, named);
-            fmt::print("\n{}", summary_tables(report));
+            print_results("\n{}", summary_tables(report));
         }
         code = close_session(report, named);
     }
     if (settings.json) {
         if (!phenomena.empty()) document["phenomena"] = std::move(tables);
-        fmt::print("{}\n", document.dump(2));
+        print_document(document);
     } else {
-        fmt::print("{}", text);
+        print_result_text(text);
     }
     return code;
 }
@@ -152,13 +145,14 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
     if (settings.json) {
         auto document = certificate_document(report);
         document["attribution"] = attribution_document(report);
-        fmt::print("{}\n", document.dump(2));
+        print_document(document);
     } else {
         const std::string certificate = certificate_table(report);
         const std::string attribution = attribution_table(report);
         const bool nothing = certificate.empty() && attribution.empty();
-        fmt::print("{}{}{}", nothing ? "no case with a parity check was selected\n" : certificate,
-                   exceptions_list(report), attribution);
+        print_results("{}{}{}",
+                      nothing ? "no case with a parity check was selected\n" : certificate,
+                      exceptions_list(report), attribution);
     }
     return close_session(report, parity);
 }
@@ -166,13 +160,14 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
 int validate(const Settings& settings, std::stop_token stop) {
     store::Store store = open_store(settings, store::Access::write);
     const auto report = run_session(settings, store, std::move(stop), true);
+    std::exception_ptr failure;
+    if (!report.interrupted)
+        failure = failure_of([&] { write_report_files(report, store, settings); });
     print_cases(report, settings);
-    if (report.interrupted) return close_session(report, settings);
-    write_report_files(report, store, settings);
     const int code = close_session(report, settings);
-    if (!settings.quiet) {
-        fmt::print(stderr, "report: {}\n", (settings.results / "report/index.html").string());
-    }
+    if (failure) std::rethrow_exception(failure);
+    if (!report.interrupted && !settings.quiet)
+        print_note("report: {}", (settings.results / "report/index.html").string());
     return code;
 }
 
@@ -181,7 +176,7 @@ int write_report(const Settings& settings, bool open) {
     const auto report = run_session(settings, store, {}, false);
     write_report_files(report, store, settings);
     const auto page = settings.results / "report/index.html";
-    fmt::print("{}\n", page.string());
+    print_results("{}\n", page.string());
     if (open) open_in_browser(page);
     return exit_ok;
 }
@@ -190,9 +185,9 @@ namespace {
 
 int print_history(const Settings& settings, const std::vector<HistorySeries>& history) {
     if (settings.json) {
-        fmt::print("{}\n", history_document(history).dump(2));
+        print_document(history_document(history));
     } else {
-        fmt::print("{}", history_table(history));
+        print_result_text(history_table(history));
     }
     const bool drifts = std::ranges::any_of(
         history, [](const auto& series) { return series.drift == Drift::left_band; });
@@ -214,8 +209,8 @@ int show_regressions(const Settings& settings) {
     std::erase_if(history,
                   [](const HistorySeries& series) { return series.drift != Drift::left_band; });
     if (!settings.json && history.empty()) {
-        fmt::print("no regression in {} series ({} of them have too few entries to judge)\n", all,
-                   young);
+        print_results("no regression in {} series ({} of them have too few entries to judge)\n",
+                      all, young);
         return exit_ok;
     }
     return print_history(settings, history);

@@ -1,5 +1,6 @@
 // crossgrain selftest: the error rates of the verdicts.
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/selftest/selftest.hpp"
 #include "app/session.hpp"
 
@@ -32,13 +33,13 @@ int selftest(const Settings& settings, const SelftestRequest& request, std::stop
     own.results = settings.results / "selftest";  // planted defects have no place in the history
     const auto report = run_selftest(catalogue, own, std::move(stop));
     if (report.interrupted) {
-        fmt::print(stderr, "interrupted: the same command goes on from there\n");
+        print_note("interrupted: the same command goes on from there");
         return exit_interrupted;
     }
     if (settings.json) {
-        fmt::print("{}\n", selftest_document(report).dump(2));
+        print_document(selftest_document(report));
     } else {
-        fmt::print("{}", selftest_table(report));
+        print_result_text(selftest_table(report));
     }
     return report.passed() ? exit_ok : exit_verdict;
 }

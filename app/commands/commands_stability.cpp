@@ -2,10 +2,12 @@
 // for the lattice models the states their runs were found in, over the sweep of a case or of the
 // failure map it names.
 #include "app/commands/commands.hpp"
+#include "app/output.hpp"
 #include "app/session.hpp"
 #include "app/stability/stability.hpp"
 #include "app/stability/stability_dem.hpp"
 #include "app/text_table.hpp"
+#include "native/base/errors.hpp"
 #include "reports/web/web_report.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <memory>
 #include <set>
 
 namespace crossgrain::app {
@@ -128,7 +132,7 @@ json report_json(const StabilityReport& report) {
 }
 
 void print_report(const StabilityReport& report) {
-    fmt::print("{}\n", report.case_name);
+    print_results("{}\n", report.case_name);
     TextTable thresholds({"code", "method", "parameter", "works", "fails", "theory", ""});
     for (const auto& t : report.thresholds) {
         thresholds.add({t.code, t.method, t.parameter, fmt::format("{:.5g}", t.works),
@@ -138,7 +142,7 @@ void print_report(const StabilityReport& report) {
                         : holds_theory(t) ? "agrees"
                                           : "disagrees"});
     }
-    if (!thresholds.empty()) fmt::print("{}", thresholds.text());
+    if (!thresholds.empty()) print_result_text(thresholds.text());
     TextTable points({"code", "at", "state", "detail"});
     for (const auto& p : report.points) {
         std::vector<std::string> at;
@@ -148,7 +152,7 @@ void print_report(const StabilityReport& report) {
             at.push_back(fmt::format("{}={:g}", key, value));
         points.add({p.code, fmt::format("{}", fmt::join(at, " ")), p.state, p.detail});
     }
-    if (!points.empty()) fmt::print("{}", points.text());
+    if (!points.empty()) print_result_text(points.text());
     TextTable theory({"theory", "parameter", "stable up to"});
     for (const auto& line : report.theory) {
         std::vector<std::string> at;
@@ -159,7 +163,7 @@ void print_report(const StabilityReport& report) {
         theory.add({fmt::format("{}", fmt::join(at, " ")), line.parameter,
                     fmt::format("{:.5g}", line.limit)});
     }
-    if (!theory.empty()) fmt::print("{}", theory.text());
+    if (!theory.empty()) print_result_text(theory.text());
 }
 
 /// The case whose sweep maps where this one fails: itself unless it names another, which may name
@@ -194,28 +198,43 @@ void add_map(const Settings& settings, store::Store& store, const std::stop_toke
     }
 }
 
-/// The page of all maps of this call.
-std::filesystem::path write_page(const json& maps, const Settings& settings) {
+/// The page of all maps of this call, <results>/report/stability.html.
+void write_page(const json& maps, const Settings& settings) {
     const Machine machine = this_machine();
-    const auto directory = settings.results / "report";
     reports::write_stability_page({{"version", program_version()},
                                    {"created", store::utc_now()},
                                    {"command", settings.command},
                                    {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
                                    {"stability", maps}},
-                                  directory, share_directory() / "web");
-    return directory / "stability.html";
+                                  settings.results / "report", share_directory() / "web");
+}
+
+/// The cases of this call. Before anything is computed one that was named and cannot be tried out
+/// is refused; of all cases it is left out.
+std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& settings) {
+    Settings whole = settings;
+    whole.map_axes.clear();
+    auto cases = selected_cases(whole);
+    if (!settings.map_axes.empty()) return cases;
+    std::erase_if(cases, [&](const auto& the_case) {
+        if (the_case->model != "grains" || has_residuals(*the_case, settings.seed)) return false;
+        if (settings.cases.empty()) return true;
+        throw CaseError({.file = the_case->file,
+                         .problem = "has no largest stable time step to look for",
+                         .got = "a scene without a bottom plate or without a period along x",
+                         .expected = "a bed or a lattice"});
+    });
+    return cases;
 }
 
 }  // namespace
 
 int map_stability(const Settings& settings, const std::stop_token& stop) {
+    const auto cases = suited_cases(settings);
     store::Store store = open_store(settings, store::Access::write);
     std::vector<StabilityReport> reports;
     int code = exit_ok;
-    Settings whole = settings;
-    whole.map_axes.clear();
-    for (const auto& the_case : selected_cases(whole)) {
+    for (const auto& the_case : cases) {
         Settings one = settings;
         one.cases = {map_of(*the_case, settings.map_axes)};
         const bool grains = the_case->model == "grains";
@@ -230,14 +249,16 @@ int map_stability(const Settings& settings, const std::stop_token& stop) {
     json all = json::array();
     for (const auto& report : reports)
         all.push_back(report_json(report));
-    const auto page = write_page(all, settings);
+    const auto page = settings.results / "report" / "stability.html";
+    const auto failure = failure_of([&] { write_page(all, settings); });
     if (settings.json) {
-        fmt::print("{}\n", json{{"stability", std::move(all)}}.dump(2));
+        print_document({{"stability", std::move(all)}});
     } else {
         for (const auto& report : reports)
             print_report(report);
-        fmt::print("written: {}\n", page.string());
+        if (!failure) print_results("written: {}\n", page.string());
     }
+    if (failure) std::rethrow_exception(failure);
     return stop.stop_requested() ? exit_interrupted : code;
 }
 

@@ -4,6 +4,7 @@
 #include "app/runner.hpp"
 #include "app/session.hpp"
 #include "native/base/errors.hpp"
+#include "reports/web/atomic_file.hpp"
 
 #include <fmt/format.h>
 
@@ -26,14 +27,8 @@ std::string text_of(const fs::path& file, const std::string& place) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void write(const fs::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    if (!out.flush()) throw std::ios_base::failure(fmt::format("cannot write {}", file.string()));
-}
-
 void edit_file(const fs::path& file, const TextEdit& edit, const std::string& place) {
-    write(file, edited(text_of(file, place), edit, place));
+    reports::write_file_atomically(file, edited(text_of(file, place), edit, place));
 }
 
 /// Throws for a filter that the model of this scene does not know.

@@ -174,6 +174,10 @@ void add_residuals(const Scene& given, const Settings& settings, const std::stop
 
 }  // namespace
 
+bool has_residuals(const catalog::Case& the_case, std::uint64_t seed) {
+    return can_be_narrowed(the_case.grain_scene(0, 0, seed));
+}
+
 StabilityReport stability_dem(const catalog::Case& the_case, const Settings& settings,
                               store::Store& store, std::stop_token stop) {
     StabilityReport report{.case_name = the_case.name};

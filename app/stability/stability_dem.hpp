@@ -11,6 +11,10 @@
 
 namespace crossgrain::app {
 
+/// Whether stability can be tried out on a case of grains: a bed or a lattice with a period along
+/// x.
+[[nodiscard]] bool has_residuals(const catalog::Case& the_case, std::uint64_t seed);
+
 /// Thresholds of every code in every integrator it has, for the contact law of the case with its
 /// own restitution and others at equal contact time, for both directions of the damping:
 ///   closed contacts: a triangular lattice, compressed by 1e-4 d so that no contact ever opens,
@@ -25,7 +29,7 @@ namespace crossgrain::app {
 /// below 1 %, `energy gain`, `inaccurate` (a loss), `blow-up`.
 ///
 /// Ends early when stopped. Throws CaseError for a case whose scene cannot be read, and
-/// std::invalid_argument for a scene that is neither a bed nor a lattice with a period along x.
+/// std::invalid_argument for one that has_residuals() denies, unless a map is asked for.
 [[nodiscard]] StabilityReport stability_dem(const catalog::Case& the_case, const Settings& settings,
                                             store::Store& store, std::stop_token stop);
 

@@ -103,12 +103,13 @@ analytic::ClosedPacking closed_packing(const Scene& packing) {
     return result;
 }
 
+bool can_be_narrowed(const Scene& model) {
+    return model.plates.bottom.has_value() && model.periodic_x.has_value();
+}
+
 scene::Scene narrow_scene(const Scene& model) {
     constexpr std::size_t parts = 4;
-    if (!model.plates.bottom || !model.periodic_x) {
-        throw std::invalid_argument("stability is tried out on beds and lattices: scenes with a "
-                                    "bottom plate and a period along x");
-    }
+    if (!can_be_narrowed(model)) throw std::invalid_argument("narrow_scene: not a bed");
     Scene narrow = model;
     narrow.periodic_x = *model.periodic_x / static_cast<double>(parts);
     const std::size_t count = model.grain_count() / parts;

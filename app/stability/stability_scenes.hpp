@@ -21,9 +21,11 @@ enum class ContactState { closed, open };
 /// The packing as the closed forms see it.
 [[nodiscard]] analytic::ClosedPacking closed_packing(const scene::Scene& packing);
 
+/// Whether the scene is a bed or a lattice: has a bottom plate and a period along x.
+[[nodiscard]] bool can_be_narrowed(const scene::Scene& model);
+
 /// `model` in a quarter of its width (with a quarter of a free lid's mass), from a lattice or a
-/// packing as the shipped cases start. Throws std::invalid_argument for a scene without a bottom
-/// and a period along x.
+/// packing as the shipped cases start. Throws std::invalid_argument if it cannot be narrowed.
 [[nodiscard]] scene::Scene narrow_scene(const scene::Scene& model);
 
 }  // namespace crossgrain::app

@@ -45,14 +45,14 @@ class Program {
     Answer operator()(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), CROSSGRAIN_PROGRAM);
         arguments.insert(arguments.end(), {"--results", results().string()});
-        const auto result = adapters::process::run({.argv = std::move(arguments),
-                                                    .directory = directory_.path(),
-                                                    .extra_environment = environment,
-                                                    .time_limit = 120});
-        const bool exited = result.ending == adapters::process::Ending::exited;
-        return {.status = exited ? result.status : -1,
-                .out = adapters::process::read_text(result.stdout_file, 50'000'000),
-                .err = adapters::process::read_text(result.stderr_file, 50'000'000)};
+        return answer_of(std::move(arguments));
+    }
+
+    /// A line of shell, in which `crossgrain ARGUMENTS` works on results().
+    [[nodiscard]] Answer shell(const std::string& line) const {
+        const std::string function =
+            "crossgrain() { \"$PROGRAM\" --results \"$RESULTS\" \"$@\"; }; ";
+        return answer_of({"/bin/sh", "-c", function + line});
     }
 
     /// Writes a copy of a test case with one text replaced; returns its path.
@@ -69,6 +69,20 @@ class Program {
     }
 
   private:
+    Answer answer_of(std::vector<std::string> argv) const {
+        auto variables = environment;
+        variables.push_back(std::string("PROGRAM=") + CROSSGRAIN_PROGRAM);
+        variables.push_back("RESULTS=" + results().string());
+        const auto result = adapters::process::run({.argv = std::move(argv),
+                                                    .directory = directory_.path(),
+                                                    .extra_environment = std::move(variables),
+                                                    .time_limit = 120});
+        const bool exited = result.ending == adapters::process::Ending::exited;
+        return {.status = exited ? result.status : -1,
+                .out = adapters::process::read_text(result.stdout_file, 50'000'000),
+                .err = adapters::process::read_text(result.stderr_file, 50'000'000)};
+    }
+
     TemporaryDirectory directory_;
 };
 
