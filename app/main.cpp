@@ -3,7 +3,6 @@
 #include "app/output.hpp"
 #include "app/session.hpp"
 #include "native/base/errors.hpp"
-#include "native/base/printable.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,8 +19,6 @@ namespace {
 
 using namespace crossgrain;
 using app::Settings;
-
-constexpr std::size_t longest_argument = 1000;  // of the command line as it is recorded
 
 /// Turns Ctrl-C and SIGTERM into a stop request. A thread waits for them, because little may be
 /// done in a signal handler; a second Ctrl-C ends the program at once.
@@ -212,9 +209,7 @@ int run_program(int argc, char** argv) {
         ->capture_default_str();
     program.add_flag("--json", settings.json, "one JSON document on stdout");
     program.add_flag("--quiet", settings.quiet, "no progress");
-    for (int i = 0; i < argc; ++i) {
-        settings.command += i == 0 ? "crossgrain" : " " + printable(argv[i], longest_argument);
-    }
+    settings.command = app::command_text({argv + 1, argv + argc});
     const auto actions = add_commands(program, arguments);
     try {
         program.parse(argc, argv);

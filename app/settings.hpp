@@ -25,8 +25,12 @@ struct Settings {
     bool fresh = false;                    ///< compute again what the store already has
     std::optional<double> time_limit;      ///< wall seconds per run, overrides the case
     bool keep_dumps = false;               ///< write trajectories to <results>/runs/...
-    std::string command;                   ///< as typed, for the report
+    std::string command;                   ///< command_text(), for the report
 };
+
+/// "crossgrain" with the arguments, for people to read and to copy: what a shell would not take as
+/// one word is quoted, what cannot be shown is escaped (printable.hpp), long arguments are cut.
+[[nodiscard]] std::string command_text(const std::vector<std::string>& arguments);
 
 /// Directory with catalog/, published/ and web/: $CROSSGRAIN_SHARE, or share/crossgrain next to the
 /// executable, or ../share/crossgrain. Throws CaseError if there is none.

@@ -1,9 +1,13 @@
 #include "reports/web/atomic_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,7 +25,30 @@ std::error_code last_error() {
     return {errno != 0 ? errno : EIO, std::generic_category()};
 }
 
+/// The process that writes a temporary file "name.<pid>.tmp", or 0.
+int writer_of(const fs::path& path) {
+    if (path.extension() != ".tmp") return 0;
+    const std::string number = path.stem().extension().string();
+    int pid = 0;
+    const auto [end, error] =
+        std::from_chars(number.data() + std::min<std::size_t>(1, number.size()),
+                        number.data() + number.size(), pid);
+    return error == std::errc() && end == number.data() + number.size() ? pid : 0;
+}
+
 }  // namespace
+
+void remove_unfinished_files(const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> unfinished;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        const int pid = writer_of(entry.path());
+        if (pid > 0 && ::kill(pid, 0) == -1 && errno == ESRCH) unfinished.push_back(entry.path());
+    }
+    // One that stays does no harm.
+    for (const auto& path : unfinished)
+        fs::remove(path, error);
+}
 
 void write_file_atomically(const fs::path& path, std::string_view text) {
     std::error_code error;

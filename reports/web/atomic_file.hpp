@@ -10,4 +10,7 @@ namespace crossgrain::reports {
 /// @throws std::system_error naming `path` and what failed.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// Removes temporary files that processes left in `folder` when they were killed.
+void remove_unfinished_files(const std::filesystem::path& folder);
+
 }  // namespace crossgrain::reports

@@ -71,6 +71,8 @@ void prepare(const fs::path& directory, const fs::path& assets) {
     if (error)
         throw std::system_error(error,
                                 fmt::format("cannot create folder '{}'", directory.string()));
+    for (const char* folder : {"", "pictures", "series", "charts"})
+        remove_unfinished_files(directory / folder);
     // A report written where its assets are needs no copies.
     if (!fs::equivalent(assets, directory)) copy_assets(assets, directory);
 }

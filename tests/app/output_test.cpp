@@ -59,8 +59,9 @@ BOOST_AUTO_TEST_CASE(results_that_cannot_be_printed_are_an_error) {
     add_case(crossgrain);
     BOOST_TEST(crossgrain.shell("crossgrain cases").status == 0);
     for (const char* line : {"crossgrain cases >/dev/full", "crossgrain --json cases >/dev/full",
-                             "crossgrain --help >/dev/full", "crossgrain --json history >/dev/full",
-                             "crossgrain --json run ./c.toml --code native-dem >/dev/full"}) {
+                             "crossgrain --help >/dev/full",
+                             "crossgrain --json run ./c.toml --code native-dem >/dev/full",
+                             "crossgrain --json history >/dev/full"}) {
         const Answer answer = crossgrain.shell(line);
         BOOST_TEST(answer.status == 3, line);
         BOOST_TEST(answer.error_lines() == 1, line);
@@ -161,6 +162,18 @@ BOOST_AUTO_TEST_CASE(file_names_of_any_bytes_come_out_valid) {
     BOOST_TEST(named.ends_with("d\\xff\\x9b.dump"));
     check_printable(crossgrain({"run", "./no\xFF\x1B.toml"}).err);
     check_printable(crossgrain({"--no\xFF\x1B"}).err);
+}
+
+BOOST_AUTO_TEST_CASE(the_recorded_command_is_one_word_per_argument) {
+    const Program crossgrain;
+    const std::string name = "it's; a \xFF$(case).toml";
+    add_case(crossgrain, name);
+    const Answer answer = crossgrain({"validate", "./" + name, "--code", "native-dem"});
+    BOOST_TEST(answer.status == 0);
+    const std::string data = text_of(crossgrain.results() / "report/data.js");
+    const std::string recorded =
+        R"(crossgrain validate './it'\\''s; a \\xff$(case).toml' --code native-dem)";
+    BOOST_TEST((data.find(recorded) != std::string::npos));
 }
 
 BOOST_AUTO_TEST_CASE(inputs_of_different_runs_never_share_a_directory) {

@@ -161,6 +161,19 @@ BOOST_AUTO_TEST_CASE(missing_assets_are_named) {
     BOOST_TEST(!fs::exists(folder.path / "report" / "data.js"));
 }
 
+BOOST_AUTO_TEST_CASE(what_a_killed_process_left_is_removed_and_nothing_else) {
+    const Folder folder;
+    const fs::path report = folder.path / "report";
+    const std::string gone = "data.js.2000000000.tmp";  // above every process id of Linux
+    const std::string alive = "other.js." + std::to_string(getpid()) + ".tmp";
+    for (const auto& name : {gone, alive, std::string("mine.tmp"), std::string("a.12x.tmp")})
+        reports::write_file_atomically(report / name, "text");
+    reports::write_web_report({}, report, folder.assets());
+    BOOST_TEST(!fs::exists(report / gone));
+    for (const auto& name : {alive, std::string("mine.tmp"), std::string("a.12x.tmp")})
+        BOOST_TEST(fs::exists(report / name), name);
+}
+
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_written_is_named) {
     const Folder folder;
     const fs::path assets = folder.assets();
