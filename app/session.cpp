@@ -80,9 +80,8 @@ void warn_of_changed_programs(const std::vector<PlannedRun>& runs, const store::
         if (settings.quiet || record.digest.empty() || !told.insert(record.code).second) continue;
         const auto before = store.last_digest(record.code, record.version);
         if (!before || *before == record.digest) continue;
-        fmt::print(stderr,
-                   "warning: {} states the version {}, but is not the program that ran before "
-                   "under it (digest {}, was {}): runs of the one do not stand for the other\n",
+        print_note("warning: {} states the version {}, but is not the program that ran before "
+                   "under it (digest {}, was {}): runs of the one do not stand for the other",
                    record.program, record.version, record.digest.substr(0, shown),
                    before->substr(0, shown));
     }
@@ -92,7 +91,7 @@ void warn_of_changed_programs(const std::vector<PlannedRun>& runs, const store::
 
 store::Store open_store(const Settings& settings, store::Access access) {
     return store::Store(settings.results, access,
-                        [](const std::string& line) { fmt::print(stderr, "warning: {}\n", line); });
+                        [](const std::string& line) { print_note("warning: {}", line); });
 }
 
 std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings) {
