@@ -10,7 +10,7 @@ namespace crossgrain::reports {
 /// A text as one field: quoted if it must be. Spreadsheets take what begins with = + - @ for a
 /// formula: such a text gets an apostrophe before it. Numbers do not pass through here. Control
 /// characters and bytes that are not UTF-8 are escaped (printable.hpp), but line feeds and tabs.
-[[nodiscard]] std::string csv_field(const std::string& text);
+[[nodiscard]] std::string csv_field(const std::string& given);
 
 /// Columns: case, code, variant, observable, value, stderr, systematic, ci95_low, ci95_high, n,
 /// unit, settings ("key=value; ..."). Numbers keep all digits; not finite or missing is empty.
