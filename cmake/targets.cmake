@@ -10,9 +10,14 @@ target_compile_options(crossgrain_flags INTERFACE
     # Trajectory parity to the last digits needs one rounding per operation, on every machine.
     -ffp-contract=off)
 if(CROSSGRAIN_SANITIZE)
-    target_compile_options(crossgrain_flags INTERFACE -fsanitize=address,undefined
+    target_compile_options(crossgrain_flags INTERFACE -fsanitize=${CROSSGRAIN_SANITIZE}
                                                       -fno-sanitize-recover=all)
-    target_link_options(crossgrain_flags INTERFACE -fsanitize=address,undefined)
+    target_link_options(crossgrain_flags INTERFACE -fsanitize=${CROSSGRAIN_SANITIZE})
+endif()
+if(CROSSGRAIN_FUZZ)
+    target_compile_options(crossgrain_flags INTERFACE -fsanitize=fuzzer-no-link)
+    # The first clang that knows all warnings of g++ 12 by name is not Debian's.
+    target_compile_options(crossgrain_flags INTERFACE -Wno-unknown-warning-option)
 endif()
 
 # crossgrain_library(<folder> SOURCES ... [USES <folder>...] [LIBRARIES <third party>...])

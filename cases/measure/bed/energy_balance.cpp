@@ -152,7 +152,7 @@ void EnergyBalance::add(const scene::Frame& frame) {
         if (previous_) {
             add_between(*previous_, frame);
         } else {
-            previous_.emplace();
+            previous_ = Instant{};
         }
         store(frame, *previous_);
     }

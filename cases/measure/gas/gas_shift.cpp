@@ -45,7 +45,7 @@ void add_overlap(FieldShape shape, std::span<const float> a, std::span<const flo
 
 BestShift best_shift(FieldShape shape, std::span<const float> overlap, std::size_t replica,
                      std::size_t reach) {
-    const auto [bins, replicas] = shape;
+    const std::size_t bins = shape.bins, replicas = shape.replicas;
     assert(replica < replicas && reach >= 1 && 2 * reach < bins);
     const auto at = [&](std::size_t s) { return double{overlap[s % bins * replicas + replica]}; };
     std::size_t best = 0;
