@@ -1,14 +1,17 @@
 #include "cases/toml/toml_table.hpp"
 
+#include "cases/toml/nesting.hpp"
+#include "cases/toml/text_file.hpp"
+#include "native/base/printable.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace crossgrain::toml_input {
@@ -21,7 +24,7 @@ std::string shown(const toml::node& node) {
     if (node.is_array()) return "an array";
     std::ostringstream out;
     node.visit([&](const auto& value) { out << value; });
-    return out.str();
+    return printable(out.str());
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -74,19 +77,20 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
     return best;
 }
 
-toml::table parse_toml_file(const std::string& file) {
-    std::error_code ignored;
-    // A directory opens like an empty file.
-    if (!std::ifstream(file) || std::filesystem::is_directory(file, ignored)) {
-        throw CaseError({.file = file, .problem = "cannot be read", .expected = "a TOML file"});
-    }
+toml::table parse_toml_file(const std::string& file, std::stop_token stop) {
+    return parse_toml(read_text_file(file, "a TOML file", std::move(stop)), file);
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+    check_nesting(text, file);
     try {
-        return toml::parse_file(file);
+        return toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        throw CaseError({.file = file,
-                         .line = static_cast<int>(error.source().begin.line),
-                         .column = static_cast<int>(error.source().begin.column),
-                         .problem = fmt::format("is not valid TOML: {}", error.description())});
+        throw CaseError(
+            {.file = file,
+             .line = static_cast<int>(error.source().begin.line),
+             .column = static_cast<int>(error.source().begin.column),
+             .problem = fmt::format("is not valid TOML: {}", printable(error.description()))});
     }
 }
 
@@ -94,6 +98,7 @@ TomlTable::TomlTable(std::string file, std::string path, std::vector<const toml:
     : file_(std::move(file)), path_(std::move(path)), layers_(std::move(layers)) {}
 
 std::string TomlTable::dotted(std::string_view key) const {
+    if (key.empty()) return path_;
     return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
 }
 
@@ -169,20 +174,39 @@ std::vector<double> TomlTable::numbers(std::string_view key, const Range& range)
     return values;
 }
 
-std::int64_t TomlTable::integer(std::string_view key, std::int64_t least) const {
-    const std::string expected = fmt::format("an integer >= {}", least);
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t least, std::int64_t most) const {
+    const bool bounded = most < std::numeric_limits<std::int64_t>::max();
+    const std::string expected = bounded ? fmt::format("an integer from {} to {}", least, most)
+                                         : fmt::format("an integer >= {}", least);
     const auto& node = required(key, expected);
     const auto value = node.value_exact<std::int64_t>();
     if (!value) throw error(key, "has the wrong type", shown(node), expected);
-    if (*value < least) throw error(key, "is out of range", shown(node), expected);
+    if (*value < least || *value > most) {
+        throw error(key, "is out of range", shown(node), expected);
+    }
     return *value;
 }
 
+std::string TomlTable::checked(std::string_view key, const toml::node& node, TextKind kind) const {
+    auto value = node.value_exact<std::string>();
+    if (!value)
+        throw error_at(node.source(), key, "has the wrong type", shown(node), "a string", {});
+    if (auto fault = fault_in(*value, kind)) {
+        throw error_at(node.source(), key, fault->problem, fault->got, fault->expected, {});
+    }
+    return *std::move(value);
+}
+
 std::string TomlTable::text(std::string_view key) const {
-    const auto& node = required(key, "a string");
-    const auto value = node.value_exact<std::string>();
-    if (!value) throw error(key, "has the wrong type", shown(node), "a string");
-    return *value;
+    return checked(key, required(key, "a string"), TextKind::line);
+}
+
+std::string TomlTable::name(std::string_view key) const {
+    return checked(key, required(key, "a string"), TextKind::name);
+}
+
+std::string TomlTable::prose(std::string_view key) const {
+    return checked(key, required(key, "a string"), TextKind::prose);
 }
 
 std::optional<std::string> TomlTable::optional_text(std::string_view key) const {
@@ -196,14 +220,8 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
     if (array == nullptr)
         throw error(key, "has the wrong type", shown(node), "an array of strings");
     std::vector<std::string> values;
-    for (const auto& element : *array) {
-        const auto value = element.value_exact<std::string>();
-        if (!value) {
-            throw error_at(element.source(), key, "has the wrong type", shown(element), "a string",
-                           {});
-        }
-        values.push_back(*value);
-    }
+    for (const auto& element : *array)
+        values.push_back(checked(key, element, TextKind::line));
     return values;
 }
 
@@ -266,12 +284,20 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 }
 
 std::vector<std::string> TomlTable::keys() const {
+    constexpr std::size_t most_keys = 10'000;
     std::vector<std::string> result;
+    std::set<std::string> seen;
     for (const auto* layer : layers_) {
         for (const auto& [key, node] : *layer) {
             const std::string name(key.str());
-            if (std::find(result.begin(), result.end(), name) == result.end()) {
-                result.push_back(name);
+            if (const auto fault = fault_in(name, TextKind::name)) {
+                throw error_at(key.source(), {}, "has a key that is no name: " + fault->problem,
+                               fault->got, fault->expected, {});
+            }
+            if (seen.insert(name).second) result.push_back(name);
+            if (result.size() > most_keys) {
+                throw error_at(key.source(), {}, "has too many keys", "",
+                               fmt::format("at most {}", most_keys), {});
             }
         }
     }

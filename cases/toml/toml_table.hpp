@@ -3,14 +3,17 @@
 // key, what was found, what was expected, and the nearest valid key.
 #pragma once
 
+#include "cases/toml/text_rules.hpp"
 #include "native/base/errors.hpp"
 
 #include <toml++/toml.h>
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,8 +46,14 @@ class TomlTable {
                                                         const Range& range) const;
     /// One number, or an array of at least one.
     [[nodiscard]] std::vector<double> numbers(std::string_view key, const Range& range) const;
-    [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t least) const;
+    /// From `least` to `most`, both included.
+    [[nodiscard]] std::int64_t
+    integer(std::string_view key, std::int64_t least,
+            std::int64_t most = std::numeric_limits<std::int64_t>::max()) const;
+    // Texts pass the gate of text_rules.hpp: what is no name and no prose is one line.
     [[nodiscard]] std::string text(std::string_view key) const;
+    [[nodiscard]] std::string name(std::string_view key) const;
+    [[nodiscard]] std::string prose(std::string_view key) const;
     [[nodiscard]] std::optional<std::string> optional_text(std::string_view key) const;
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
     [[nodiscard]] bool boolean(std::string_view key) const;
@@ -57,6 +66,7 @@ class TomlTable {
     [[nodiscard]] TomlTable table(std::string_view key) const;
     /// The tables of an array of tables, from the first layer that has it; empty if none has.
     [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const;
+    /// Of all layers. Such keys are names: throws CaseError for one that cannot be.
     [[nodiscard]] std::vector<std::string> keys() const;
 
     /// To be called after all keys were asked for. Throws for a key nobody asked for.
@@ -76,6 +86,8 @@ class TomlTable {
     [[nodiscard]] const toml::node& required(std::string_view key, std::string_view type) const;
     [[nodiscard]] double checked(std::string_view key, const toml::node& node,
                                  const Range& range) const;
+    [[nodiscard]] std::string checked(std::string_view key, const toml::node& node,
+                                      TextKind kind) const;
     [[nodiscard]] CaseError error_at(const toml::source_region& where, std::string_view key,
                                      std::string problem, std::string got, std::string expected,
                                      std::string hint) const;
@@ -90,7 +102,11 @@ class TomlTable {
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word,
                                                  std::span<const std::string> candidates);
 
-/// Parses a file. Throws CaseError when it cannot be read or is not TOML.
-[[nodiscard]] toml::table parse_toml_file(const std::string& file);
+/// Parses a file. Throws CaseError when it cannot be read (text_file.hpp), is nested too deeply
+/// (nesting.hpp) or is not TOML.
+[[nodiscard]] toml::table parse_toml_file(const std::string& file, std::stop_token stop = {});
+
+/// The same for text that has been read; `file` is for error lines.
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& file);
 
 }  // namespace crossgrain::toml_input
