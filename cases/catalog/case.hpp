@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ namespace crossgrain::catalog {
 /// Which part of the catalogue runs, and at which size. `quick` applies a case's [quick] table,
 /// `chart` its [chart] table: the ladder that is charted for cost and error.
 enum class Suite { quick, full, chart };
+
+/// Most runs that one case may ask of one code: variants x time steps x replicas.
+inline constexpr std::int64_t most_runs = 100'000;
 
 /// An option of an observable as the case file gives it.
 struct Option {
@@ -98,6 +102,7 @@ struct Variant {
     std::string name;       ///< empty if the case has one variant only
     std::string drops;      ///< physics that this variant leaves out, e.g. "spins"; usually empty
     std::size_t rungs = 1;  ///< time steps of its ladder
+    double bytes = 0;       ///< of its scenes in memory, all rungs of one replica
     std::vector<std::string> not_expressible_in;  ///< codes of which the catalogue knows it
     /// Keys of the sweep with this variant's values, in the sweep's order; empty without a sweep.
     std::vector<std::pair<std::string, std::string>> parameters;
@@ -117,6 +122,7 @@ struct Replicas {
     std::map<std::string, std::int64_t> by_code;
     /// By variant (name or glob): how many times as many, where single runs scatter more.
     std::map<std::string, std::int64_t> times_in;
+    /// At most most_runs + 1: a larger number is not told apart.
     [[nodiscard]] std::int64_t of(const std::string& code, const std::string& variant = "") const;
 };
 
@@ -147,11 +153,16 @@ class Case {
     std::shared_ptr<const Source> parsed;
 };
 
+/// Throws CaseError when the runs of a case are too many, or their scenes too large to be in memory
+/// together. `replicas` overrides those of the case.
+void check_runs(const Case& the_case, std::optional<std::int64_t> replicas);
+
 /// Reads a case file and checks all of it, including every variant's scene. `readings` is the
 /// directory of the shipped readings of the models' rules. Throws CaseError.
 /// `axes`: keys of the sweep of which all numbers are taken; empty for all.
+/// `stop` is heard while the file, if it is a pipe, waits for its writer: Interrupted.
 [[nodiscard]] Case load_case(const std::string& file, Suite suite, const std::string& readings = "",
-                             const std::vector<std::string>& axes = {});
+                             const std::vector<std::string>& axes = {}, std::stop_token stop = {});
 
 /// Names of the cases in a catalogue directory, sorted.
 [[nodiscard]] std::vector<std::string> case_names(const std::string& directory);
@@ -159,6 +170,6 @@ class Case {
 /// A case by its name in the catalogue or by the path of a case file (anything with a '/' or that
 /// ends in ".toml"). Throws CaseError with the nearest name. Readings are in directory/readings.
 [[nodiscard]] Case find_case(const std::string& directory, const std::string& name, Suite suite,
-                             const std::vector<std::string>& axes = {});
+                             const std::vector<std::string>& axes = {}, std::stop_token stop = {});
 
 }  // namespace crossgrain::catalog

@@ -23,7 +23,7 @@ using toml_input::TomlTable;
 /// The parsed file and, per variant, the layers of [scene] from the top: variant, sweep, suite,
 /// case. Variants are the points of the sweep, each in every written [[variant]].
 struct Case::Source {
-    toml::table root;
+    std::shared_ptr<const toml::table> root;
     const toml::table* suite = nullptr;  ///< [quick] or [chart], when it is that suite
     std::string file;
     std::string readings;
@@ -70,7 +70,7 @@ const char* layer_of(Suite suite) {
 
 /// A chart has a ladder of its own; the quick suite has other values of the case's keys.
 Sweep sweep_of(const Case::Source& source, Suite suite, const std::vector<std::string>& axes) {
-    const auto* base = sub_table(source.root, "sweep");
+    const auto* base = sub_table(*source.root, "sweep");
     const auto* layered = source.suite == nullptr ? nullptr : sub_table(*source.suite, "sweep");
     if (suite == Suite::chart) return read_sweep(layered, nullptr, source.file, axes);
     return read_sweep(base, layered, source.file, axes);
@@ -97,7 +97,7 @@ std::vector<ChartedError> read_charted(const TomlTable& t) {
 Replicas read_replicas(const TomlTable& t) {
     Replicas replicas;
     for (const auto& key : t.keys()) {
-        const std::int64_t count = t.integer(key, key == "default" ? 1 : 0);
+        const std::int64_t count = t.integer(key, key == "default" ? 1 : 0, most_runs);
         if (key == "default") {
             replicas.standard = count;
         } else {
@@ -111,7 +111,7 @@ std::vector<ObservableRequest> read_observables(const TomlTable& t) {
     std::vector<ObservableRequest> requests;
     for (const TomlTable& entry : t.tables("observable")) {
         ObservableRequest request{
-            .name = entry.text("name"), .options = {}, .line = entry.line(), .column = 1};
+            .name = entry.name("name"), .options = {}, .line = entry.line(), .column = 1};
         for (const auto& key : entry.keys()) {
             if (key == "name") continue;
             const CaseError at = entry.error(key, "", "", "");
@@ -128,11 +128,11 @@ std::vector<ObservableRequest> read_observables(const TomlTable& t) {
     return requests;
 }
 
-void check_every_scene(const Case& the_case) {
-    for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
-        for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
-            (void)the_case.scene(variant, rung, 1);
-        }
+void check_every_scene(Case& the_case) {
+    for (std::size_t v = 0; v < the_case.variants.size(); ++v) {
+        Variant& variant = the_case.variants[v];
+        for (std::size_t rung = 0; rung < variant.rungs; ++rung)
+            variant.bytes += scene::bytes_of(the_case.scene(v, rung, 1));
     }
 }
 
@@ -145,22 +145,13 @@ TomlTable Case::Source::scene_table(const Variant& variant) const {
         if (const auto* layer = sub_table(*owner, "scene")) layers.push_back(layer);
     };
     const bool own_variants = suite != nullptr && suite->contains("variant");
-    if (const auto* entries = (own_variants ? *suite : root).get("variant")) {
+    if (const auto* entries = (own_variants ? *suite : *root).get("variant")) {
         if (const auto* array = entries->as_array()) add((*array)[variant.written].as_table());
     }
     layers.push_back(&sweep.points[variant.point].scene);
     add(suite);
-    add(&root);
+    add(root.get());
     return {file, "scene", std::move(layers)};
-}
-
-std::int64_t Replicas::of(const std::string& code, const std::string& variant) const {
-    const auto found = by_code.find(code);
-    std::int64_t count = found == by_code.end() ? standard : found->second;
-    for (const auto& [pattern, times] : times_in) {
-        if (matches(pattern, variant)) count *= times;
-    }
-    return count;
 }
 
 CaseError Case::Source::placed(const CaseError& error) const {
@@ -192,13 +183,27 @@ scene::Scene Case::grain_scene(std::size_t variant, std::size_t rung, std::uint6
     return std::get<scene::Scene>(scene(variant, rung, seed));
 }
 
-Case load_case(const std::string& file, Suite suite, const std::string& readings,
-               const std::vector<std::string>& axes) {
+namespace {
+
+void count_rungs(Case& the_case, const Case::Source& source) {
+    if (the_case.model != models[0]) return;  // only grains have ladders of time steps
+    for (Variant& variant : the_case.variants) {
+        try {
+            variant.rungs = scene::ladder_size(source.scene_table(variant));
+        } catch (const CaseError& error) {
+            throw source.placed(error);
+        }
+    }
+}
+
+/// A case from its parsed file, which is read once: it may be a pipe.
+Case case_from(const std::shared_ptr<const toml::table>& root, const std::string& file, Suite suite,
+               const std::string& readings, const std::vector<std::string>& axes) {
     auto source = std::make_shared<Case::Source>();
-    source->root = toml_input::parse_toml_file(file);
+    source->root = root;
     source->file = file;
     source->readings = readings;
-    source->suite = sub_table(source->root, layer_of(suite));
+    source->suite = sub_table(*root, layer_of(suite));
     if (suite == Suite::chart && source->suite == nullptr) {
         throw CaseError({.file = file,
                          .key = layer_of(suite),
@@ -206,17 +211,17 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
                          .expected = fmt::format("a table [{}] with a sweep", layer_of(suite)),
                          .hint = "see cases/catalog/README.md"});
     }
-    std::vector<const toml::table*> layers{&source->root};
+    std::vector<const toml::table*> layers{root.get()};
     if (source->suite != nullptr) layers.insert(layers.begin(), source->suite);
     source->sweep = sweep_of(*source, suite, axes);
     const TomlTable t(file, "", layers);
     Case result;
     result.file = file;
-    result.name = t.text("name");
+    result.name = t.name("name");
     result.title = t.text("title");
     result.source = t.text("source");
-    result.text = t.text("text");
-    result.suites = read_suites(t, source->root);
+    result.text = t.prose("text");
+    result.suites = read_suites(t, *root);
     result.time_limit = t.number("time_limit", Range::positive());
     if (t.has("model")) result.model = models[t.choice("model", models)];
     result.failure_map = t.optional_text("failure_map").value_or("");
@@ -224,7 +229,7 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
     result.replicas = read_replicas(t.table("replicas"));
     const TomlTable more = t.table("replicas_in");
     for (const auto& pattern : more.keys())
-        result.replicas.times_in[pattern] = more.integer(pattern, 1);
+        result.replicas.times_in[pattern] = more.integer(pattern, 1, most_runs);
     result.observables = read_observables(t);
     result.fits = read_fits(t);
     result.checks = read_checks(t);
@@ -236,25 +241,29 @@ Case load_case(const std::string& file, Suite suite, const std::string& readings
         (void)t.table(other);
     (void)t.table("scene");
     (void)t.table("sweep");
-    for (std::size_t v = 0; v < result.variants.size(); ++v) {
-        if (result.model != models[0]) break;  // only grains have ladders of time steps
-        try {
-            result.variants[v].rungs = scene::ladder_size(source->scene_table(result.variants[v]));
-        } catch (const CaseError& error) {
-            throw source->placed(error);
-        }
-    }
+    count_rungs(result, *source);
     t.reject_unknown_keys();
     result.parsed = std::move(source);
     if (suite == Suite::full) check_variant_names(result);
+    check_runs(result, {});
     check_every_scene(result);
+    check_runs(result, {});  // now that the scenes' sizes are known
     // What only another suite reads must not wait for it to be found wrong.
     for (const Suite other : {Suite::quick, Suite::chart}) {
-        if (suite == Suite::full && result.parsed->root.contains(layer_of(other))) {
-            (void)load_case(file, other, readings);
+        if (suite == Suite::full && root->contains(layer_of(other))) {
+            (void)case_from(root, file, other, readings, {});
         }
     }
     return result;
+}
+
+}  // namespace
+
+Case load_case(const std::string& file, Suite suite, const std::string& readings,
+               const std::vector<std::string>& axes, std::stop_token stop) {
+    const auto root =
+        std::make_shared<const toml::table>(toml_input::parse_toml_file(file, std::move(stop)));
+    return case_from(root, file, suite, readings, axes);
 }
 
 std::vector<std::string> case_names(const std::string& directory) {
@@ -267,10 +276,10 @@ std::vector<std::string> case_names(const std::string& directory) {
 }
 
 Case find_case(const std::string& directory, const std::string& name, Suite suite,
-               const std::vector<std::string>& axes) {
+               const std::vector<std::string>& axes, std::stop_token stop) {
     const std::string readings = (std::filesystem::path(directory) / "readings").string();
     if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
-        return load_case(name, suite, readings, axes);
+        return load_case(name, suite, readings, axes, std::move(stop));
     }
     const std::vector<std::string> names = case_names(directory);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -281,7 +290,7 @@ Case find_case(const std::string& directory, const std::string& name, Suite suit
                          .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
     }
     return load_case((std::filesystem::path(directory) / (name + ".toml")).string(), suite,
-                     readings, axes);
+                     readings, axes, std::move(stop));
 }
 
 }  // namespace crossgrain::catalog

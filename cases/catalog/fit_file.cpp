@@ -16,7 +16,7 @@ const std::array<std::string, 5> laws{"exponent", "inverse-exponent", "outlet", 
 std::vector<Fit> read_fits(const TomlTable& t) {
     std::vector<Fit> fits;
     for (const TomlTable& entry : t.tables("fit")) {
-        Fit fit{.name = entry.text("name"),
+        Fit fit{.name = entry.name("name"),
                 .law = static_cast<FitLaw>(entry.choice("law", laws)),
                 .observable = entry.text("observable"),
                 .along = entry.text("along")};

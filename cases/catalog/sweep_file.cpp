@@ -1,11 +1,13 @@
 #include "cases/catalog/sweep_file.hpp"
 
+#include "cases/catalog/case.hpp"
 #include "cases/scene/choices.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace crossgrain::catalog {
 namespace {
@@ -33,19 +35,23 @@ std::string text_of(const toml::node& value) {
 }
 
 void check_values(const std::string& file, const Axis& axis) {
-    std::vector<std::string> seen;
+    std::set<std::string> seen;
     for (const toml::node& value : axis.values) {
         const bool fits = axis.texts ? value.is_string() : value.is_number();
         if (!fits) {
             throw sweep_error(file, axis, "mixes texts and numbers, or has something else",
                               "an array of texts or an array of numbers");
         }
+        // Values become parts of names.
         const std::string text = text_of(value);
-        if (std::find(seen.begin(), seen.end(), text) != seen.end()) {
+        if (const auto fault = toml_input::fault_in(text, toml_input::TextKind::name)) {
+            throw sweep_error(file, axis, "has a value that " + fault->problem + ": " + fault->got,
+                              fault->expected);
+        }
+        if (!seen.insert(text).second) {
             throw sweep_error(file, axis, fmt::format("lists {} twice", text),
                               "each value once (they are told apart to six digits)");
         }
-        seen.push_back(text);
     }
 }
 
@@ -67,6 +73,10 @@ Axis read_axis(const std::string& file, std::string_view key, const toml::node& 
             axis.values.push_back(word);
     }
     axis.texts = axis.values.front().is_string();
+    if (axis.values.size() > most_runs) {
+        throw sweep_error(file, axis, fmt::format("lists {} values", axis.values.size()),
+                          fmt::format("at most {} runs in a case", most_runs));
+    }
     check_values(file, axis);
     return axis;
 }
@@ -83,9 +93,49 @@ void add_axes(const toml::table& table, const std::string& prefix, const std::st
     }
 }
 
+/// The tables that a key lies in: "a" and "a.b" of "a.b.c".
+std::vector<std::string> owners_of(const std::string& key) {
+    std::vector<std::string> owners;
+    for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1))
+        owners.push_back(key.substr(0, dot));
+    return owners;
+}
+
+/// Each axis must lead to a place of its own in the scene.
+void check_keys(const std::string& file, const std::vector<Axis>& axes) {
+    constexpr std::size_t most_axes = 32;
+    std::set<std::string> keys;
+    for (const Axis& axis : axes) {
+        const auto fault = toml_input::fault_in(axis.key, toml_input::TextKind::name);
+        const bool part_is_empty = axis.key.starts_with('.') || axis.key.ends_with('.') ||
+                                   axis.key.find("..") != std::string::npos;
+        if (fault || part_is_empty) {
+            throw sweep_error(file, axis,
+                              fault ? "has a key that " + fault->problem : "has an empty key",
+                              "keys of [scene], as \"dt\" or \"contact.restitution\"");
+        }
+        if (!keys.insert(axis.key).second) {
+            throw sweep_error(file, axis, "is swept twice", "each key once");
+        }
+    }
+    for (const Axis& axis : axes) {
+        for (const std::string& owner : owners_of(axis.key)) {
+            if (!keys.contains(owner)) continue;
+            throw sweep_error(file, axis,
+                              fmt::format("lies in '{}', which is swept as well", owner),
+                              "one of the two");
+        }
+    }
+    if (axes.size() > most_axes) {
+        throw sweep_error(file, axes.back(), fmt::format("is one of {} keys", axes.size()),
+                          fmt::format("at most {}", most_axes));
+    }
+}
+
 std::vector<Axis> read_axes(const toml::table& table, const std::string& file) {
     std::vector<Axis> axes;
     add_axes(table, "", file, axes);
+    check_keys(file, axes);
     std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
         if (a.texts != b.texts) return a.texts;
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -126,6 +176,20 @@ SweepPoint extended(const SweepPoint& point, const Axis& axis, const toml::node&
     return next;
 }
 
+/// Before any combination is made.
+void check_size(const std::string& file, const std::vector<Axis>& axes) {
+    double points = 1;
+    for (const Axis& axis : axes)
+        points *= static_cast<double>(axis.values.size());
+    if (points <= static_cast<double>(most_runs)) return;
+    throw CaseError({.file = file,
+                     .line = static_cast<int>(axes.front().place.line),
+                     .key = "sweep",
+                     .problem = "makes too many combinations",
+                     .got = fmt::format("{:.6g}", points),
+                     .expected = fmt::format("at most {} runs in a case", most_runs)});
+}
+
 /// Numbers along other keys stay at their first value.
 void keep_only(const std::vector<std::string>& keys, const std::string& file,
                std::vector<Axis>& axes) {
@@ -155,6 +219,7 @@ Sweep read_sweep(const toml::table* base, const toml::table* quick, const std::s
     if (base != nullptr) axes = read_axes(*base, file);
     if (quick != nullptr) lay_over(axes, *quick, file);
     if (!only.empty()) keep_only(only, file, axes);
+    check_size(file, axes);
     for (const Axis& axis : axes) {
         sweep.lines[axis.key] = static_cast<int>(axis.place.line);
         std::vector<SweepPoint> next;

@@ -1,11 +1,14 @@
 #include "cases/catalog/variant_file.hpp"
 
+#include "native/base/printable.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <set>
 
 namespace crossgrain::catalog {
 namespace {
@@ -52,6 +55,20 @@ void require_points(const std::string& file, const Variant& variant, const Sweep
     }
 }
 
+/// Parts that are short may make a long name; parts with a '/' may make the same name twice.
+void check_full_name(const std::string& file, const std::string& name,
+                     std::set<std::string>& names) {
+    constexpr std::size_t longest = 400;
+    const bool taken = !names.insert(name).second;
+    if (!taken && name.size() <= longest) return;
+    throw CaseError({.file = file,
+                     .key = "variant",
+                     .problem = taken ? "has a name twice" : "has too long a name",
+                     .got = fmt::format("'{}'", printable(name, longest)),
+                     .expected = taken ? "names and values that tell the variants apart"
+                                       : fmt::format("at most {} bytes", longest)});
+}
+
 bool is_made_at(const Variant& variant, const SweepPoint& point) {
     return std::ranges::all_of(point.parameters, [&](const auto& parameter) {
         const auto wanted = variant.only.find(parameter.first);
@@ -64,8 +81,10 @@ bool is_made_at(const Variant& variant, const SweepPoint& point) {
 
 std::vector<Variant> read_written_variants(const TomlTable& t) {
     std::vector<Variant> variants;
+    std::set<std::string> names;
     for (const TomlTable& entry : t.tables("variant")) {
         Variant variant{.name = entry.text("name"), .not_expressible_in = {}};
+        if (!variant.name.empty()) (void)entry.name("name");  // one may be plain
         if (entry.has("not_expressible_in")) {
             variant.not_expressible_in = entry.texts("not_expressible_in");
         }
@@ -73,10 +92,7 @@ std::vector<Variant> read_written_variants(const TomlTable& t) {
         variant.only = read_only(entry);
         (void)entry.table("scene");  // read by Case::scene
         entry.reject_unknown_keys();
-        const bool repeated =
-            std::any_of(variants.begin(), variants.end(),
-                        [&](const Variant& other) { return other.name == variant.name; });
-        if (repeated) {
+        if (!names.insert(variant.name).second) {
             throw entry.error("name", "is taken", fmt::format("\"{}\"", variant.name),
                               "a name of its own for each variant");
         }
@@ -89,8 +105,17 @@ std::vector<Variant> read_written_variants(const TomlTable& t) {
 std::vector<Variant> cross(const std::string& file, const Sweep& sweep,
                            const std::vector<Variant>& written) {
     std::vector<Variant> variants;
+    if (sweep.points.size() * written.size() > most_runs) {
+        throw CaseError({.file = file,
+                         .key = "variant",
+                         .problem = "makes too many runs",
+                         .got = fmt::format("{} variants at {} points of the sweep", written.size(),
+                                            sweep.points.size()),
+                         .expected = fmt::format("at most {} runs in a case", most_runs)});
+    }
     for (const Variant& variant : written)
         require_points(file, variant, sweep);
+    std::set<std::string> names;
     for (std::size_t p = 0; p < sweep.points.size(); ++p) {
         const SweepPoint& point = sweep.points[p];
         for (std::size_t w = 0; w < written.size(); ++w) {
@@ -101,6 +126,7 @@ std::vector<Variant> cross(const std::string& file, const Sweep& sweep,
             const bool both = !point.name.empty() && !variant.name.empty();
             variant.name = point.name + (both ? "/" : "") + variant.name;
             variant.parameters = point.parameters;
+            check_full_name(file, variant.name, names);
             variants.push_back(std::move(variant));
         }
     }

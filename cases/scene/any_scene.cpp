@@ -67,6 +67,13 @@ Work work_of(const AnyScene& scene) {
     return std::visit([](const auto& s) { return work(s); }, scene);
 }
 
+double bytes_of(const AnyScene& scene) {
+    constexpr double without_grains = 2048, per_grain = 8 * sizeof(double);
+    const auto* grains = std::get_if<Scene>(&scene);
+    if (grains == nullptr) return without_grains;
+    return without_grains + per_grain * static_cast<double>(grains->grain_count());
+}
+
 std::vector<std::string> warnings_of(const AnyScene& scene) {
     const auto* hopper = std::get_if<HopperAutomaton>(&scene);
     if (hopper == nullptr || hopper->angles.empty()) return {};

@@ -55,6 +55,8 @@ struct Work {
     std::string unit;
 };
 [[nodiscard]] Work work_of(const AnyScene& scene);
+/// Bytes that the scene itself takes in memory: all runs of a case are planned before any starts.
+[[nodiscard]] double bytes_of(const AnyScene& scene);
 /// What a user should know before the run: one line each, e.g. an angle beyond which a number loses
 /// its meaning.
 [[nodiscard]] std::vector<std::string> warnings_of(const AnyScene& scene);

@@ -31,8 +31,8 @@ std::optional<int> offset_of(std::string_view word) {
     return word[1] == '+' ? word[2] - '0' : '0' - word[2];
 }
 
-/// Recursive descent over: sum = term {(+|-) term}, term = factor {(*|/) factor},
-/// factor = number | p | (sum).
+/// Recursive descent, brackets not too deep, over: sum = term {(+|-) term}, term = factor {(*|/)
+/// factor}, factor = number | p | (sum).
 class LinearParser {
   public:
     explicit LinearParser(std::string_view text) : text_(text) {}
@@ -79,9 +79,11 @@ class LinearParser {
         }
         if (first == '(') {
             ++at_;
+            if (++depth_ > deepest) throw std::invalid_argument("brackets nested too deeply");
             const RuleProbability value = sum();
             if (next() != ')') fail();
             ++at_;
+            --depth_;
             return value;
         }
         double value = 0;
@@ -98,8 +100,11 @@ class LinearParser {
     }
     [[noreturn]] void fail() const { throw std::invalid_argument(fmt::format("\"{}\"", text_)); }
 
+    static constexpr int deepest = 32;
+
     std::string_view text_;
     std::size_t at_ = 0;
+    int depth_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "cases/scene/collision_notation.hpp"
 #include "cases/toml/toml_table.hpp"
+#include "native/base/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -188,8 +189,8 @@ GravityRule read_gravity(const TomlTable& t) {
 GasReading load_gas_reading(const std::string& file) {
     const toml::table root = toml_input::parse_toml_file(file);
     const TomlTable t(file, "", {&root});
-    GasReading reading{.name = std::filesystem::path(file).stem().string(),
-                       .text = t.optional_text("text").value_or(""),
+    GasReading reading{.name = printable(std::filesystem::path(file).stem().string()),
+                       .text = t.has("text") ? t.prose("text") : "",
                        .rows = read_rows(t),
                        .gravity = read_gravity(t.table("gravity")),
                        .walls = static_cast<WallPlace>(t.choice("walls", wall_words)),

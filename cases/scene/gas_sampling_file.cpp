@@ -1,5 +1,7 @@
 #include "cases/scene/gas_sampling_file.hpp"
 
+#include "cases/scene/limits.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,16 +12,6 @@ namespace crossgrain::scene {
 namespace {
 
 using toml_input::TomlTable;
-
-std::int64_t integer_in(const TomlTable& t, const char* key, std::int64_t least,
-                        std::int64_t most) {
-    const std::int64_t value = t.integer(key, least);
-    if (value > most) {
-        throw t.error(key, "is out of range", fmt::format("{}", value),
-                      fmt::format("an integer from {} to {}", least, most));
-    }
-    return value;
-}
 
 void check_multiple(const TomlTable& t, const char* key, std::int64_t value, const char* of,
                     std::int64_t unit) {
@@ -56,25 +48,32 @@ void check_bin_capacity(const TomlTable& t, const GasSampling& sampling) {
                               std::numeric_limits<std::int16_t>::max() / 4 / (sampling.width + 2)));
 }
 
+/// Estimators keep a number or more of every frame.
+void check_frames(const TomlTable& t, const GasSampling& sampling) {
+    if (sampling.frames() <= most_frames) return;
+    throw t.error("every", "makes too many frames", fmt::format("{}", sampling.frames()),
+                  fmt::format("at most {}", most_frames), "take frames less often");
+}
+
 }  // namespace
 
 GasSampling read_gas_sampling(const TomlTable& scene) {
     constexpr std::int64_t longest = 10'000'000, widest = 8'000;
-    constexpr std::int64_t most_steps = 1'000'000'000'000;
     GasSampling s;
-    s.length = static_cast<int>(integer_in(scene, "length", 1, longest));
-    s.width = static_cast<int>(integer_in(scene, "width", 3, widest));
+    s.length = static_cast<int>(scene.integer("length", 1, longest));
+    s.width = static_cast<int>(scene.integer("width", 3, widest));
     const TomlTable t = scene.table("sample");
-    s.bin = static_cast<int>(integer_in(t, "bin", 1, longest));
-    s.replicas = static_cast<int>(integer_in(t, "replicas", 1, 512));
-    if (t.has("burn_in")) s.burn_in = integer_in(t, "burn_in", 0, most_steps);
-    s.steps = integer_in(t, "steps", 1, most_steps);
-    s.every = integer_in(t, "every", 1, most_steps);
+    s.bin = static_cast<int>(t.integer("bin", 1, longest));
+    s.replicas = static_cast<int>(t.integer("replicas", 1, 512));
+    if (t.has("burn_in")) s.burn_in = t.integer("burn_in", 0, most_steps);
+    s.steps = t.integer("steps", 1, most_steps);
+    s.every = t.integer("every", 1, most_steps);
     if (t.has("fields")) s.fields = read_fields(t);
     t.reject_unknown_keys();
     check_multiple(scene, "length", s.length, "the bin", s.bin);
     check_multiple(t, "steps", s.steps, "'every'", s.every);
     check_bin_capacity(t, s);
+    check_frames(t, s);
     return s;
 }
 

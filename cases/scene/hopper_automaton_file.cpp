@@ -1,4 +1,6 @@
+#include "cases/scene/limits.hpp"
 #include "cases/scene/model_file.hpp"
+#include "native/base/memory_budget.hpp"
 
 #include <fmt/format.h>
 
@@ -103,12 +105,7 @@ std::vector<double> read_angles(const TomlTable& t) {
 }
 
 int read_count(const TomlTable& t, const char* key, std::int64_t least, std::int64_t most) {
-    const std::int64_t value = t.integer(key, least);
-    if (value > most) {
-        throw t.error(key, "is out of range", fmt::format("{}", value),
-                      fmt::format("an integer from {} to {}", least, most));
-    }
-    return static_cast<int>(value);
+    return static_cast<int>(t.integer(key, least, most));
 }
 
 int optional_count(const TomlTable& t, const char* key, std::int64_t least, std::int64_t most,
@@ -118,7 +115,7 @@ int optional_count(const TomlTable& t, const char* key, std::int64_t least, std:
 
 /// A level k has N - 1 + k tan(theta/2)/sqrt(3) sites, more or less one.
 void check_size(const TomlTable& t, const HopperAutomaton& scene) {
-    constexpr double most = 2e8;  // a byte each, and a few such fields per run
+    constexpr double most = 1e8;  // a few bytes each, in a run and its twin
     for (const double angle : scene.angles) {
         const double levels = scene.levels;
         const double widening = std::tan(angle * std::numbers::pi / 360) / std::sqrt(3.0);
@@ -129,6 +126,30 @@ void check_size(const TomlTable& t, const HopperAutomaton& scene) {
                           fmt::format("at most {:g} sites", most),
                           "fewer levels or smaller angles");
         }
+    }
+}
+
+/// Each run (an angle's replica) has random numbers of its own, counted in 32 bits, and keeps what
+/// left it in every iteration; what is measured keeps some numbers of every frame.
+void check_runs(const TomlTable& t, const HopperAutomaton& scene) {
+    const double runs = static_cast<double>(scene.angles.size()) * scene.replicas;
+    const double flow = 8.0 * static_cast<double>(scene.iterations);
+    const double frames =
+        runs * (static_cast<double>(scene.iterations) / static_cast<double>(scene.every) + 2);
+    constexpr double most = 1e7;
+    if (runs > most) {
+        throw t.error("replicas", "makes too many runs",
+                      fmt::format("{:g} angles and replicas", runs),
+                      fmt::format("at most {:g}", most));
+    }
+    if (flow > memory_budget()) {
+        throw t.error("iterations", "is too many to keep what flows out in each", shown_bytes(flow),
+                      fmt::format("at most {}", shown_bytes(memory_budget())));
+    }
+    if (frames > static_cast<double>(most_frames)) {
+        throw t.error("every", "makes too many frames",
+                      fmt::format("{:.6g} in all angles and replicas", frames),
+                      fmt::format("at most {}", most_frames), "take frames less often");
     }
 }
 
@@ -183,6 +204,7 @@ HopperAutomaton read_hopper_automaton(const TomlTable& t, const SceneSelection& 
     }
     t.reject_unknown_keys();
     check_size(t, scene);
+    check_runs(t, scene);
     check_tie_tolerance(t, scene);
     return scene;
 }

@@ -1,9 +1,13 @@
 #include "cases/scene/initial_draws.hpp"
 
+#include "cases/scene/limits.hpp"
 #include "native/base/random.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace crossgrain::scene {
 namespace {
@@ -18,6 +22,13 @@ void remove_drift(std::vector<double>& v) {
 }
 
 }  // namespace
+
+std::size_t grains_for(double count, const char* what) {
+    // Not a number is too many as well.
+    if (count <= static_cast<double>(most_grains)) return static_cast<std::size_t>(count);
+    throw std::invalid_argument(
+        fmt::format("{} would need {:.6g} grains, more than {}", what, count, most_grains));
+}
 
 void resize(InitialState& s, std::size_t n) {
     s.x.assign(n, 0);

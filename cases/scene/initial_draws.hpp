@@ -8,6 +8,10 @@
 
 namespace crossgrain::scene {
 
+/// A number of grains that was computed. Throws std::invalid_argument for more than most_grains,
+/// before they are made; `what` needs them, e.g. "the walls".
+[[nodiscard]] std::size_t grains_for(double count, const char* what);
+
 /// n grains at the origin, at rest.
 void resize(InitialState& state, std::size_t n);
 

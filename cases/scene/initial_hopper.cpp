@@ -1,6 +1,11 @@
 #include "cases/scene/initial_draws.hpp"
 #include "cases/scene/initial_recipes.hpp"
 
+#include "cases/scene/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -28,8 +33,8 @@ Wall wall_of(const Hopper& hopper, double d) {
 std::size_t grains_in(const Hopper& hopper, const Wall& wall, double d) {
     const double mean_width = hopper.outlet + hopper.height * wall.sine / wall.cosine;
     const double area = mean_width * hopper.height;
-    return static_cast<std::size_t>(
-        std::round(hopper.settled_fraction * area / (std::numbers::pi / 4 * d * d)));
+    return grains_for(std::round(hopper.settled_fraction * area / (std::numbers::pi / 4 * d * d)),
+                      "the filling");
 }
 
 /// Rows of a square lattice, from the plug upwards, each as wide as the walls leave it.
@@ -48,7 +53,8 @@ void place_grains(Scene& scene, const Hopper& hopper, const Wall& wall, double l
     for (double y = (d + largest) / 2 + free; placed < count; y += spacing) {
         const double half_width = wall.x_at(y) - clearance;
         if (half_width < 0) throw std::invalid_argument("the outlet is too narrow for a grain");
-        const auto in_row = static_cast<std::size_t>(std::floor(2 * half_width / spacing)) + 1;
+        const std::size_t in_row =
+            grains_for(std::floor(2 * half_width / spacing), "a row of the filling") + 1;
         const double first = -spacing * static_cast<double>(in_row - 1) / 2;
         for (std::size_t k = 0; k < in_row && placed < count; ++k, ++placed) {
             s.x[placed] = first + spacing * static_cast<double>(k);
@@ -64,6 +70,7 @@ void add_walls(Scene& scene, const Wall& wall) {
     const double d = scene.grains.diameter;
     const double top = *std::max_element(scene.initial.y.begin(), scene.initial.y.end()) + 2 * d;
     const double rise = d * wall.cosine;
+    (void)grains_for(2 * top / rise, "the walls");
     for (std::size_t k = 0; static_cast<double>(k) * rise <= top; ++k) {
         const double along = d * static_cast<double>(k);
         for (const double side : {-1.0, 1.0}) {
@@ -77,6 +84,7 @@ void add_plug(Scene& scene, const Wall& wall) {
     const double d = scene.grains.diameter;
     const double gaps = std::ceil(2 * wall.edge / d * (1 - 1e-12));
     const double spacing = 2 * wall.edge / gaps;
+    (void)grains_for(gaps, "the plug");
     for (double k = 1; k < gaps; ++k)
         add_frozen(scene, -wall.edge + k * spacing, 0);
 }
@@ -98,6 +106,10 @@ void generate(Scene& scene, const Settled& settled, const SizeSpread& sizes) {
     generate(scene, settled.hopper, sizes);
     const double d = scene.grains.diameter;
     const double steps = std::round(settled.settle_time / scene.dt);
+    if (steps > static_cast<double>(most_steps)) {
+        throw std::invalid_argument(
+            fmt::format("settling takes {:g} steps, more than {}", steps, most_steps));
+    }
     Preparation preparation{.steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps)),
                             .removed = std::vector<bool>(scene.grain_count(), false)};
     const double edge = wall_of(settled.hopper, d).edge;

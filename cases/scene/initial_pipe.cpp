@@ -41,8 +41,8 @@ void place_grains(Scene& scene, const Pipe& pipe, double largest) {
     const double d = scene.grains.diameter;
     const double length = *scene.periodic_y;
     const double area = (pipe.width - d) * length;
-    const auto count = static_cast<std::size_t>(
-        std::round(pipe.area_fraction * area / (std::numbers::pi / 4 * d * d)));
+    const std::size_t count = grains_for(
+        std::round(pipe.area_fraction * area / (std::numbers::pi / 4 * d * d)), "the filling");
     if (count == 0) throw std::invalid_argument("the area fraction leaves no grain");
     // Centres stay a touch away from the frozen discs.
     const double reach = (d + largest) / 2;
@@ -72,6 +72,7 @@ void add_walls(Scene& scene, const Pipe& pipe) {
     const double count = std::round(length / pipe.wall_spacing);
     if (count < 1) throw std::invalid_argument("the wall's spacing is longer than the pipe");
     const double spacing = length / count;
+    (void)grains_for(2 * count, "the walls");
     for (const bool right : {false, true}) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             const double y = spacing * (static_cast<double>(k) + (right ? 0.5 : 0.0));

@@ -2,6 +2,7 @@
 
 #include "cases/scene/initial_draws.hpp"
 #include "cases/scene/initial_recipes.hpp"
+#include "cases/scene/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +102,7 @@ void generate(Scene& scene, const Packing& packing, const SizeSpread& sizes) {
     const double d = scene.grains.diameter;
     // The period is a decimal number; only its rounding is forgiven.
     const double fit = std::floor(*scene.periodic_x / d * (1 + 1e-12));
-    const auto columns = static_cast<std::size_t>(fit);
+    const std::size_t columns = grains_for(fit, "a row");
     if (columns == 0 || packing.count % columns != 0) {
         throw std::invalid_argument(fmt::format(
             "{} grains do not fill rows of {}: choose a multiple", packing.count, columns));
@@ -128,6 +129,28 @@ void generate(Scene& scene, const Explicit& given, const SizeSpread&) {
     scene.grains.masses = given.masses;
 }
 
+/// Draws and sums may have overflowed, whatever the input was.
+void check_extent(const Scene& scene) {
+    const auto& s = scene.initial;
+    const double most = farthest * scene.grains.diameter;
+    for (std::size_t i = 0; i < scene.grain_count(); ++i) {
+        const double distance = std::max(std::abs(s.x[i]), std::abs(s.y[i]));
+        const double omega = s.omega.empty() ? 0.0 : s.omega[i];
+        if (!(distance <= most)) {
+            throw std::invalid_argument(
+                fmt::format("grain {} is {:.3g} diameters from the origin, farther than {:g}", i,
+                            distance / scene.grains.diameter, farthest));
+        }
+        if (!std::isfinite(s.vx[i]) || !std::isfinite(s.vy[i]) || !std::isfinite(omega)) {
+            throw std::invalid_argument(fmt::format("the velocity of grain {} is not finite", i));
+        }
+        const double mass = scene.grains.mass_of(i);
+        if (!std::isfinite(mass) || mass <= 0) {
+            throw std::invalid_argument(fmt::format("the mass of grain {} is {}", i, mass));
+        }
+    }
+}
+
 void check_frozen(const InitialState& s) {
     for (std::size_t i = 0; i < s.frozen.size(); ++i) {
         const bool spins = !s.omega.empty() && s.omega[i] != 0;
@@ -142,6 +165,7 @@ void check_frozen(const InitialState& s) {
 void generate_initial_state(Scene& scene, const InitialStateRecipe& recipe,
                             const SizeSpread& sizes) {
     std::visit([&](const auto& r) { generate(scene, r, sizes); }, recipe);
+    check_extent(scene);
     check_frozen(scene.initial);
     if (!scene.initial.omega.empty() && !scene.has_friction()) {
         throw std::invalid_argument("grains spin, but without friction nothing feels it");

@@ -122,8 +122,8 @@ using InitialStateRecipe =
 
 /// Fills scene.initial (and the height of a free lid for Lattice and Bounces) from the recipe.
 /// `sizes` applies to the grains that move. All else of the scene must be set. Throws
-/// std::invalid_argument with a one-line reason if the grains do not fit, touch at the start, or
-/// are frozen and move.
+/// std::invalid_argument with a one-line reason if the grains are too many, do not fit, touch at
+/// the start, are farther out than `farthest`, or are frozen and move.
 void generate_initial_state(Scene& scene, const InitialStateRecipe& recipe,
                             const SizeSpread& sizes = {});
 

@@ -1,5 +1,7 @@
 #include "cases/scene/initial_state_file.hpp"
 
+#include "cases/scene/limits.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -11,13 +13,7 @@ using toml_input::Range;
 using toml_input::TomlTable;
 
 std::size_t count_of(const TomlTable& t, const char* key) {
-    constexpr std::int64_t most = 10'000'000;  // beyond what any of the codes runs on one machine
-    const std::int64_t count = t.integer(key, 1);
-    if (count > most) {
-        throw t.error(key, "is out of range", fmt::format("{}", count),
-                      fmt::format("an integer from 1 to {}", most));
-    }
-    return static_cast<std::size_t>(count);
+    return static_cast<std::size_t>(t.integer(key, 1, most_grains));
 }
 
 /// One number, or [first, last].

@@ -1,12 +1,14 @@
 #include "cases/scene/gas_reading_file.hpp"
 #include "cases/scene/gas_sampling_file.hpp"
 #include "cases/scene/model_file.hpp"
+#include "native/base/memory_budget.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace crossgrain::scene {
@@ -71,11 +73,40 @@ void check_capacity(const TomlTable& t, const LatticeGas& gas) {
                               to_string(gas.reading.walls)));
 }
 
+/// Bytes that the engines need. Per site, the bit-sliced one has 22 words of 256 bits (seven
+/// states, nine digits of relocation, six of collisions) for each 256 replicas, and six neighbours;
+/// the table engine has 6 bytes per replica. Both choose the start among seven slots of 8 bytes, in
+/// arrays that grow by doubling.
+double memory_of(const LatticeGas& gas) {
+    const double sites = static_cast<double>(gas.sampling.length) * (gas.sampling.width + 2);
+    const double words = 22.0 * 32 * std::ceil(gas.sampling.replicas / 256.0);
+    const double states = gas.engine == GasEngine::table ? 6.0 * gas.sampling.replicas : words + 32;
+    return sites * (states + 2 * 56);
+}
+
+void check_memory(const TomlTable& t, const LatticeGas& gas) {
+    const double bytes = memory_of(gas);
+    if (bytes <= memory_budget()) return;
+    throw t.error("length", "makes too large a pipe",
+                  fmt::format("{} for {} x {} sites and {} replicas", shown_bytes(bytes),
+                              gas.sampling.length, gas.sampling.width, gas.sampling.replicas),
+                  fmt::format("at most {}", shown_bytes(memory_budget())),
+                  "a shorter or narrower pipe, or fewer replicas");
+}
+
 /// A periodic pipe is filled, an open one starts empty and is fed.
 void read_filling(const TomlTable& t, LatticeGas& gas) {
     if (gas.ends == PipeEnds::periodic) {
         gas.density = t.number("density", Range::left_open(0, 7));
         check_capacity(t, gas);
+        const double particles = gas.density * gas.sampling.length * gas.sampling.width;
+        if (std::round(particles) < 1) {
+            throw t.error("density", "makes an empty pipe",
+                          fmt::format("{:g}, which is {:.3g} particles in {} x {} sites",
+                                      gas.density, particles, gas.sampling.length,
+                                      gas.sampling.width),
+                          "at least one particle");
+        }
         refuse_without(t, "injection", "open", "periodic");
     } else {
         gas.injection = t.number("injection", fraction());
@@ -98,11 +129,12 @@ LatticeGas read_lattice_gas(const TomlTable& t, const SceneSelection& selection)
     gas.gravity = t.number("gravity", fraction());
     gas.roughness = t.number("roughness", fraction());
     if (t.has("engine")) gas.engine = static_cast<GasEngine>(t.choice("engine", engine_words));
-    if (t.has("word_bits")) gas.word_bits = static_cast<int>(t.integer("word_bits", 1));
+    if (t.has("word_bits")) gas.word_bits = static_cast<int>(t.integer("word_bits", 1, 512));
     if (t.has("on_saturation")) {
         gas.on_saturation = static_cast<OnSaturation>(t.choice("on_saturation", saturation_words));
     }
     t.reject_unknown_keys();
+    check_memory(t, gas);
     return gas;
 }
 

@@ -3,6 +3,7 @@
 #include "cases/scene/contact_file.hpp"
 #include "cases/scene/exclusive_keys.hpp"
 #include "cases/scene/initial_state_file.hpp"
+#include "cases/scene/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -138,9 +139,9 @@ std::int64_t steps_in(const TomlTable& t, const Duration& duration, double dt) {
         throw t.error(duration.key, "is shorter than a time step",
                       fmt::format("{:g}", duration.time), fmt::format("at least dt = {:g}", dt));
     }
-    if (steps > 1e12) {
+    if (steps > static_cast<double>(most_steps)) {
         throw t.error(duration.key, "is too long", fmt::format("{:g} steps", steps),
-                      "at most 1e12 steps");
+                      fmt::format("at most {} steps", most_steps));
     }
     return static_cast<std::int64_t>(steps);
 }
@@ -172,7 +173,11 @@ void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
     }
     frames.reject_unknown_keys();
     // The last frame is the end of the run.
-    const std::int64_t intervals = (scene.steps + scene.frame_every - 1) / scene.frame_every;
+    const std::int64_t intervals = (scene.steps - 1) / scene.frame_every + 1;
+    if (intervals >= most_frames) {
+        throw t.error("frames", "makes too many frames", fmt::format("{}", intervals + 1),
+                      fmt::format("at most {}", most_frames), "take frames less often");
+    }
     scene.steps = intervals * scene.frame_every;
 }
 

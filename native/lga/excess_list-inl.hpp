@@ -6,9 +6,9 @@
 #define CROSSGRAIN_LGA_EXCESS_LIST_INL
 #endif
 
+#include "native/lga/aligned_words.hpp"
 #include "native/lga/collision_plan.hpp"
 
-#include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
 #include <cstddef>
@@ -22,8 +22,7 @@ template <std::size_t lanes>
 class ExcessList {
   public:
     explicit ExcessList(int sites)
-        : words_(hwy::AllocateAligned<std::uint64_t>(static_cast<std::size_t>(sites + 1) *
-                                                     excess_outputs * lanes)) {}
+        : words_(aligned_words((static_cast<std::size_t>(sites) + 1) * excess_outputs * lanes)) {}
 
     /// Where the collision of the next site may write its excess rests, see collision_plan.hpp.
     [[nodiscard]] HWY_INLINE std::uint64_t* next() const { return words(sites_.size()); }
@@ -37,7 +36,7 @@ class ExcessList {
     void clear() { sites_.clear(); }
 
   private:
-    hwy::AlignedFreeUniquePtr<std::uint64_t[]> words_;
+    AlignedWords words_;
     std::vector<int> sites_;
 };
 

@@ -2,9 +2,13 @@
 // columns (counted from the first of the W) sit half a site lower.
 #pragma once
 
+#include "native/base/errors.hpp"
 #include "native/lga/model.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
 
 namespace crossgrain::lga {
 
@@ -15,9 +19,18 @@ struct Site {
 
 class Geometry {
   public:
+    /// Throws CaseError for more sites than an int counts.
     explicit Geometry(const Model& model)
         : outside_(model.walls == WallPlace::outside ? 1 : 0), columns_(model.width + 2 * outside_),
-          rows_(model.length), periodic_(model.periodic) {}
+          rows_(model.length), periodic_(model.periodic) {
+        const std::int64_t sites = std::int64_t{columns_} * rows_;
+        if (sites > std::numeric_limits<int>::max() - 1) {
+            throw CaseError({.key = "scene.length",
+                             .problem = "makes too large a pipe",
+                             .got = std::to_string(sites) + " sites",
+                             .expected = "fewer than 2^31"});
+        }
+    }
 
     /// Wall columns included: the first and the last one.
     [[nodiscard]] int columns() const noexcept { return columns_; }

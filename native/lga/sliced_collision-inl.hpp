@@ -6,10 +6,9 @@
 #define CROSSGRAIN_LGA_SLICED_COLLISION_INL
 #endif
 
+#include "native/lga/aligned_words.hpp"
 #include "native/lga/collision_plan.hpp"
 #include "native/lga/words-inl.hpp"
-
-#include <hwy/aligned_allocator.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace crossgrain::lga::HWY_NAMESPACE {
@@ -26,9 +25,8 @@ class SlicedCollision {
 
     explicit SlicedCollision(const CollisionPlan& plan)
         : decisions_(plan.decisions), first_computed_(offset(plan.first_computed_mask())),
-          masks_(hwy::AllocateAligned<std::uint64_t>(plan.mask_count() * stride)),
-          minterms_(
-              hwy::AllocateAligned<std::uint64_t>((plan.configurations.size() + 1) * stride)) {
+          masks_(aligned_words(plan.mask_count() * stride)),
+          minterms_(aligned_words((plan.configurations.size() + 1) * stride)) {
         for (const auto& m : plan.masks) {
             computed_.push_back({offset(m.variable), offset(m.yes), offset(m.no)});
         }
@@ -208,7 +206,7 @@ class SlicedCollision {
     std::vector<Computed> computed_;
     std::vector<Configuration> configurations_;
     Offset first_computed_;
-    hwy::AlignedFreeUniquePtr<std::uint64_t[]> masks_, minterms_;
+    AlignedWords masks_, minterms_;
     alignas(64) std::uint64_t even_[8 * stride];
     alignas(64) std::uint64_t odd_[8 * stride];
 };

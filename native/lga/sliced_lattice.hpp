@@ -3,9 +3,8 @@
 // column of the pipe is, and by how many rows it is rotated.
 #pragma once
 
+#include "native/lga/aligned_words.hpp"
 #include "native/lga/geometry.hpp"
-
-#include <hwy/aligned_allocator.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +19,7 @@ class SlicedLattice {
     /// `lanes`: 64-bit lanes per word.
     SlicedLattice(const Geometry& geometry, std::size_t lanes)
         : rows_(geometry.rows()), columns_(geometry.columns()), lanes_(lanes),
-          words_(hwy::AllocateAligned<std::uint64_t>(size())) {
+          words_(aligned_words(size())) {
         std::fill_n(words_.get(), size(), 0U);
         for (auto& plane : places_) {
             for (int c = 0; c < columns_; ++c)
@@ -34,7 +33,8 @@ class SlicedLattice {
             places_[static_cast<std::size_t>(state)][static_cast<std::size_t>(site.column)];
         int row = site.row + place.rotation;
         if (row >= rows_) row -= rows_;
-        const int stored = (state * columns_ + place.column) * rows_ + row;
+        // Of a large pipe an int holds the number of a site, but not of a state.
+        const std::int64_t stored = (std::int64_t{state} * columns_ + place.column) * rows_ + row;
         return words_.get() + static_cast<std::size_t>(stored) * lanes_;
     }
 
@@ -85,7 +85,7 @@ class SlicedLattice {
 
     int rows_, columns_;
     std::size_t lanes_;
-    hwy::AlignedFreeUniquePtr<std::uint64_t[]> words_;
+    AlignedWords words_;
     std::array<std::vector<Place>, rest_bit + 1> places_;
 };
 

@@ -12,8 +12,6 @@
 #include "native/lga/relocation_limits.hpp"
 #include "native/lga/words-inl.hpp"
 
-#include <hwy/aligned_allocator.h>
-
 #include <stdexcept>
 #include <vector>
 
@@ -77,9 +75,9 @@ class SlicedRelocation {
     static constexpr std::size_t arrival_digits = 3;
     static constexpr std::size_t count_digits = 28;
 
-    [[nodiscard]] hwy::AlignedFreeUniquePtr<std::uint64_t[]> allocate(std::size_t words) const {
-        const std::size_t size = static_cast<std::size_t>(geometry_.sites() + 1) * words * lanes;
-        auto memory = hwy::AllocateAligned<std::uint64_t>(size);
+    [[nodiscard]] AlignedWords allocate(std::size_t words) const {
+        const std::size_t size = (static_cast<std::size_t>(geometry_.sites()) + 1) * words * lanes;
+        auto memory = aligned_words(size);
         std::fill_n(memory.get(), size, 0U);
         return memory;
     }
@@ -261,7 +259,7 @@ class SlicedRelocation {
     Geometry geometry_;
     Relocation relocation_;
     std::uint64_t* rests_;
-    hwy::AlignedFreeUniquePtr<std::uint64_t[]> excess_, arrivals_;
+    AlignedWords excess_, arrivals_;
     std::vector<int> neighbours_;       ///< shape (sites, directions), -1: none
     std::vector<int> walkers_;          ///< sites with excess rests
     std::vector<std::uint8_t> listed_;  ///< is on walkers_
