@@ -51,7 +51,7 @@ std::string data_file(const scene::Scene& scene) {
     const auto is_frozen = [&](std::size_t i) { return types.frozen > 0 && s.frozen[i]; };
     fmt::memory_buffer text;
     auto end = std::back_inserter(text);
-    fmt::format_to(end, "crossgrain {}\n\n{} atoms\n{} atom types\n", scene.name,
+    fmt::format_to(end, "a scene of crossgrain\n\n{} atoms\n{} atom types\n",
                    n + (types.lid > 0 ? 1 : 0), types.count());
     append_box(text, scene);
     fmt::format_to(end, "\nAtoms\n\n");

@@ -1,19 +1,22 @@
 #include "adapters/dump/dump_columns.hpp"
 
+#include "adapters/dump/dump_number.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
+#include <type_traits>
 
 namespace crossgrain::adapters::dump {
 
 namespace {
 
 constexpr std::array<const char*, 7> meaning_names = {"", "id", "x", "y", "vx", "vy", "omegaz"};
+
+constexpr std::size_t longest_word = 60;
 
 constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -34,13 +37,10 @@ std::string_view next_word(std::string_view& rest) {
 
 template <class Number>
 Number parse(std::string_view word, const char* column) {
-    Number value{};
-    const char* const end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, value);
-    if (error != std::errc{} || stop != end) {
-        throw TrajectoryError(fmt::format("'{}' in column {} is not a number", word, column));
-    }
-    return value;
+    if (const auto value = dump_number<Number>(word)) return *value;
+    throw TrajectoryError(
+        fmt::format("'{}' in column {} {}", printable(word, longest_word), column,
+                    std::is_integral_v<Number> ? why_no_integer(word) : why_no_number(word)));
 }
 
 }  // namespace
@@ -57,7 +57,8 @@ Columns::Columns(std::string_view names, bool periodic_x, bool periodic_y, bool 
             found = std::find(words.begin(), words.end(), other);
         }
         if (found == words.end()) {
-            throw TrajectoryError(fmt::format("column '{}' is missing (found:{})", name, names));
+            throw TrajectoryError(
+                fmt::format("column '{}' is missing (found:{})", name, printable(names)));
         }
         const auto index = static_cast<std::size_t>(found - words.begin());
         meanings_[index] = meaning;
@@ -78,7 +79,7 @@ Row Columns::read(std::string_view line) const {
     for (const Meaning meaning : meanings_) {
         const std::string_view word = next_word(rest);
         if (word.empty()) {
-            throw TrajectoryError(fmt::format("row '{}' has too few columns", line));
+            throw TrajectoryError(fmt::format("row '{}' has too few columns", printable(line)));
         }
         if (meaning == Meaning::ignored) continue;
         const auto index = static_cast<std::size_t>(meaning);
@@ -88,8 +89,8 @@ Row Columns::read(std::string_view line) const {
         }
         const auto value = parse<double>(word, meaning_names[index]);
         if (!std::isfinite(value)) {
-            throw TrajectoryError(
-                fmt::format("'{}' in column {} is not finite", word, meaning_names[index]));
+            throw TrajectoryError(fmt::format("'{}' in column {} is not finite",
+                                              printable(word, longest_word), meaning_names[index]));
         }
         row.values[index - static_cast<std::size_t>(Meaning::x)] = value;
     }

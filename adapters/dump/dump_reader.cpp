@@ -1,14 +1,15 @@
 #include "adapters/dump/dump_reader.hpp"
 
 #include "adapters/dump/dump_columns.hpp"
+#include "adapters/dump/dump_number.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/input_file.hpp"
+#include "native/base/printable.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -19,18 +20,15 @@ namespace crossgrain::adapters::dump {
 
 namespace {
 
+constexpr std::size_t longest_quoted = 60;
+
 std::int64_t parse_integer(std::string_view line, const char* what) {
     while (!line.empty() && line.front() == ' ')
         line.remove_prefix(1);
     while (!line.empty() && line.back() == ' ')
         line.remove_suffix(1);
-    std::int64_t value = 0;
-    const char* const end = line.data() + line.size();
-    const auto [stop, error] = std::from_chars(line.data(), end, value);
-    if (error != std::errc{} || stop != end) {
-        throw TrajectoryError(fmt::format("'{}' is not a {}", line, what));
-    }
-    return value;
+    if (const auto value = dump_number<std::int64_t>(line)) return *value;
+    throw TrajectoryError(fmt::format("'{}' is not a {}", printable(line, longest_quoted), what));
 }
 
 }  // namespace
@@ -46,6 +44,9 @@ struct DumpReader::State {
 
     /// Takes a line without its end; names it when something is wrong with it.
     void take_line(std::string_view line);
+    static void refuse_what_is_no_text(std::string_view beginning);
+    /// More of a line that has not ended yet.
+    void take_part(std::string_view part);
 
     [[nodiscard]] std::string place() const {
         return step ? fmt::format("frame at step {}", *step)
@@ -64,6 +65,7 @@ struct DumpReader::State {
     std::optional<std::int64_t> step;  // of the frame that is being read
     bool counted = false;
     bool bounded = false;
+    bool has_units = false, has_time = false;
     Columns columns;
     std::size_t rows_left = 0;
 
@@ -79,7 +81,26 @@ struct DumpReader::State {
     void emit();
 };
 
+void DumpReader::State::refuse_what_is_no_text(std::string_view beginning) {
+    if (const auto reason = why_not_text(beginning)) {
+        throw TrajectoryError(fmt::format("dump {}, not a LAMMPS text dump", *reason));
+    }
+}
+
+void DumpReader::State::take_part(std::string_view part) {
+    const std::size_t room = longest_line - partial_line.size();
+    partial_line += part.substr(0, room);
+    if (part.size() <= room) return;
+    if (line_number == 0) refuse_what_is_no_text(partial_line);
+    throw TrajectoryError(fmt::format("dump, line {}: longer than {} bytes: '{}'", line_number + 1,
+                                      longest_line, printable(partial_line, longest_quoted)));
+}
+
 void DumpReader::State::take_line(std::string_view line) {
+    if (line_number == 0) {
+        refuse_what_is_no_text(line);
+        if (line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
+    }
     ++line_number;
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     try {
@@ -116,8 +137,12 @@ void DumpReader::State::take_item(std::string_view line) {
     constexpr std::string_view atoms_item = "ITEM: ATOMS";
     if (line.starts_with(atoms_item) && bounded) {
         take_columns(line.substr(atoms_item.size()));
-    } else if ((line.starts_with("ITEM: UNITS") || line.starts_with("ITEM: TIME")) &&
-               !line.starts_with("ITEM: TIMESTEP") && !step) {
+    } else if (line.starts_with("ITEM: UNITS") && !has_units && !step) {
+        has_units = true;
+        expects = Expects::skipped_value;
+    } else if (line.starts_with("ITEM: TIME") && !line.starts_with("ITEM: TIMESTEP") && !has_time &&
+               !step) {
+        has_time = true;
         expects = Expects::skipped_value;
     } else if (line.starts_with("ITEM: TIMESTEP") && !step) {
         expects = Expects::step;
@@ -130,7 +155,7 @@ void DumpReader::State::take_item(std::string_view line) {
     } else {
         throw TrajectoryError(fmt::format(
             "'{}' is out of place (a frame is ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS)",
-            line.substr(0, 60)));
+            printable(line, longest_quoted)));
     }
 }
 
@@ -186,7 +211,7 @@ void DumpReader::State::emit() {
     if (scene.has_friction()) frame.omega = of_grains(omega);
     ++frames_complete;
     step.reset();
-    counted = bounded = false;
+    counted = bounded = has_units = has_time = false;
     expects = Expects::item;
     sink(frame);
 }
@@ -200,15 +225,12 @@ void DumpReader::feed(std::string_view bytes) {
     while (!bytes.empty()) {
         const auto* const end =
             static_cast<const char*>(std::memchr(bytes.data(), '\n', bytes.size()));
-        if (end == nullptr) {
-            state_->partial_line += bytes;
-            return;
-        }
+        if (end == nullptr) return state_->take_part(bytes);
         const auto length = static_cast<std::size_t>(end - bytes.data());
-        if (state_->partial_line.empty()) {
+        if (state_->partial_line.empty() && length <= longest_line) {
             state_->take_line(bytes.substr(0, length));
         } else {
-            state_->partial_line += bytes.substr(0, length);
+            state_->take_part(bytes.substr(0, length));
             state_->take_line(std::exchange(state_->partial_line, {}));
         }
         bytes.remove_prefix(length + 1);
@@ -218,6 +240,7 @@ void DumpReader::feed(std::string_view bytes) {
 void DumpReader::finish() {
     const State& s = *state_;
     const bool between_frames = s.expects == State::Expects::item && !s.step && !s.counted;
+    if (s.line_number == 0) State::refuse_what_is_no_text(s.partial_line);
     if (!between_frames || !s.partial_line.empty()) {
         throw TrajectoryError(fmt::format("dump ends in the middle of the {} (after line {})",
                                           s.place(), s.line_number));
@@ -226,19 +249,12 @@ void DumpReader::finish() {
 }
 
 void read_dump_file(const std::filesystem::path& file, const scene::Scene& scene,
-                    const scene::FrameSink& sink) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) {
-        throw CaseError({.file = file.string(),
-                         .problem = "cannot be opened",
-                         .expected = "a LAMMPS text dump"});
-    }
+                    const scene::FrameSink& sink, std::stop_token stop) {
+    InputFile in(file.string(), "a LAMMPS text dump", std::move(stop));
     DumpReader reader(scene, sink);
     std::vector<char> block(std::size_t{1} << 20);
-    while (in) {
-        in.read(block.data(), static_cast<std::streamsize>(block.size()));
-        reader.feed({block.data(), static_cast<std::size_t>(in.gcount())});
-    }
+    while (const std::size_t got = in.read(block))
+        reader.feed({block.data(), got});
     reader.finish();
 }
 

@@ -8,10 +8,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
 namespace crossgrain::adapters::dump {
+
+/// No dump of any scene has a longer line.
+inline constexpr std::size_t longest_line = std::size_t{1} << 16;
 
 /// Needs the columns id, xu, yu, vx, vy, and omegaz when the scene has friction; other columns are
 /// ignored. Grains have ids 1 ... N in the
@@ -29,6 +33,8 @@ class DumpReader {
     DumpReader(const DumpReader&) = delete;
     DumpReader& operator=(const DumpReader&) = delete;
 
+    /// Throws also for what is no text (compressed, binary, UTF-16) and for a line of more than
+    /// longest_line bytes, as soon as so many have come. A byte order mark is skipped.
     void feed(std::string_view bytes);
     /// Throws TrajectoryError if the dump ends in the middle of a frame or holds none.
     void finish();
@@ -38,8 +44,9 @@ class DumpReader {
     std::unique_ptr<State> state_;
 };
 
-/// Reads a whole dump file through a DumpReader. Throws CaseError if it cannot be opened.
+/// Reads a whole dump file, or a pipe, through a DumpReader. Throws CaseError if it cannot be
+/// opened, Interrupted if asked to stop.
 void read_dump_file(const std::filesystem::path& file, const scene::Scene& scene,
-                    const scene::FrameSink& sink);
+                    const scene::FrameSink& sink, std::stop_token stop = {});
 
 }  // namespace crossgrain::adapters::dump

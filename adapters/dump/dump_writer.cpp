@@ -25,16 +25,21 @@ void append_header(fmt::memory_buffer& text, const scene::Scene& scene, const sc
         x_low = 0.0;
         x_high = *scene.periodic_x;
     }
+    if (scene.periodic_y) {
+        y_low = 0.0;
+        y_high = *scene.periodic_y;
+    }
     if (frame.lid) {
         y_low = std::min(y_low, frame.lid->height);
         y_high = std::max(y_high, frame.lid->height);
     }
     fmt::format_to(std::back_inserter(text),
                    "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\n"
-                   "ITEM: BOX BOUNDS {} ss pp\n{:.17g} {:.17g}\n{:.17g} {:.17g}\n-0.5 0.5\n"
+                   "ITEM: BOX BOUNDS {} {} pp\n{:.17g} {:.17g}\n{:.17g} {:.17g}\n-0.5 0.5\n"
                    "ITEM: ATOMS id type xu yu vx vy{}\n",
                    frame.step, frame.x.size() + (frame.lid ? 1 : 0), scene.periodic_x ? "pp" : "ss",
-                   x_low, x_high, y_low, y_high, scene.has_friction() ? " omegaz" : "");
+                   scene.periodic_y ? "pp" : "ss", x_low, x_high, y_low, y_high,
+                   scene.has_friction() ? " omegaz" : "");
 }
 
 }  // namespace
