@@ -103,6 +103,7 @@ std::optional<std::string> LammpsCode::cannot_express(const scene::Scene& scene)
                "(integrator verlet-half-step would be expressible)";
     }
     if (auto reason = native_choice(scene)) return reason;
+    if (auto reason = lammps_family::too_far_apart(scene)) return reason;
     if (tangential_dashpot && law.clipping == scene::Clipping::normal_only) {
         return "limit_damping cuts the tangential dashpot together with the normal force "
                "(clipping none or all would be expressible)";

@@ -1,9 +1,45 @@
 #include "adapters/lammps_family/family_script.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <variant>
+#include <vector>
 
 namespace crossgrain::adapters::lammps_family {
+
+namespace {
+
+/// Searched and kept in order without bins: in the open they may fly far apart, and bins over all
+/// that space would fill the memory.
+bool has_few_grains(const scene::Scene& scene) {
+    constexpr std::size_t few = 64;
+    return scene.grain_count() <= few;
+}
+
+double skin(const scene::Scene& scene) {
+    return scene.skin.value_or(scene.grains.diameter / 4);
+}
+
+double extent(const std::optional<double>& period, const std::vector<double>& values) {
+    if (period || values.empty()) return period.value_or(0);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low;
+}
+
+}  // namespace
+
+std::optional<std::string> too_far_apart(const scene::Scene& scene) {
+    if (has_few_grains(scene)) return std::nullopt;
+    constexpr double most = 1e8;
+    const double bin = (scene.grains.diameter + skin(scene)) / 2;
+    const double bins = (extent(scene.periodic_x, scene.initial.x) / bin + 1) *
+                        (extent(scene.periodic_y, scene.initial.y) / bin + 1);
+    if (bins <= most) return std::nullopt;
+    return fmt::format(
+        "the neighbour search would need {:.3g} bins over the whole scene, more than "
+        "{:g} (grains that are nearer to each other would be expressible)",
+        bins, most);
+}
 
 bool has_tangential_dashpot(const scene::ContactLaw& law) {
     return law.damping_acts_on == scene::Damping::full_vector && law.damping > 0;
@@ -20,7 +56,7 @@ std::optional<std::string> unequal_reach(const scene::Scene& scene) {
 }
 
 void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocities, int dimensions) {
-    line("# {}", scene_.name);
+    line("# a scene of crossgrain");  // not its name: no text from outside gets into a script
     line("units lj");
     line("dimension {}", dimensions);
     // Shrink-wrapped where the scene is open: nothing can leave.
@@ -28,12 +64,11 @@ void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocitie
          dimensions == 2 ? 'p' : 'f');
     line("atom_style {}", atom_style);
     if (types_.lid > 0) line("atom_modify map array");
+    const bool few = has_few_grains(scene_);
+    if (few) line("atom_modify sort 0 0.0");
     line("newton off");
     line("{}", ghost_velocities);
-    // A few grains in the open may fly far apart: bins over all that space would fill the memory.
-    constexpr std::size_t few = 64;
-    line("neighbor {:.17g} {}", scene_.skin.value_or(scene_.grains.diameter / 4),
-         scene_.grain_count() <= few ? "nsq" : "bin");
+    line("neighbor {:.17g} {}", skin(scene_), few ? "nsq" : "bin");
     line("neigh_modify delay 0 every 1 check yes");
 }
 

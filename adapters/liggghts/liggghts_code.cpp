@@ -63,6 +63,7 @@ std::optional<std::string> LiggghtsCode::cannot_express(const scene::Scene& scen
                "(integrator verlet-half-step would be expressible)";
     }
     if (auto reason = native_choice(scene)) return reason;
+    if (auto reason = lammps_family::too_far_apart(scene)) return reason;
     if (lammps_family::has_tangential_dashpot(scene.contact) &&
         scene.contact.clipping == scene::Clipping::normal_only) {
         return "limitForce cuts the tangential dashpot together with the normal force "

@@ -104,10 +104,11 @@ std::optional<std::string> YadeCode::cannot_express(const scene::Scene& scene) c
 }
 
 std::vector<InputFile> YadeCode::input(const scene::Scene& scene) const {
-    std::vector<InputFile> files{
-        {.name = script_name, .text = std::string(yade::scene_script())},
-        {.name = "scene.json", .text = scene::to_json(scene).dump(1) + "\n"},
-        {.name = "laws.py", .text = std::string(yade::laws_script())}};
+    nlohmann::json data = scene::to_json(scene);
+    data.erase("name");  // no text from outside gets into the input of a code
+    std::vector<InputFile> files{{.name = script_name, .text = std::string(yade::scene_script())},
+                                 {.name = "scene.json", .text = data.dump(1) + "\n"},
+                                 {.name = "laws.py", .text = std::string(yade::laws_script())}};
     if (has_plates(scene) || scene.backing) {
         files.push_back({.name = "plates.py", .text = std::string(yade::plates_script())});
     }
