@@ -1,17 +1,23 @@
 // The command line. Errors become one line on stderr and an exit code.
 #include "app/commands/commands.hpp"
+#include "app/option_rules.hpp"
 #include "app/output.hpp"
 #include "app/session.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
+#include <new>
 #include <sstream>
+#include <stdexcept>
 #include <stop_token>
 #include <thread>
 
@@ -19,6 +25,7 @@ namespace {
 
 using namespace crossgrain;
 using app::Settings;
+using toml_input::TextKind;
 
 /// Turns Ctrl-C and SIGTERM into a stop request. A thread waits for them, because little may be
 /// done in a signal handler; a second Ctrl-C ends the program at once.
@@ -56,24 +63,39 @@ struct Arguments {
     app::SelftestRequest selftest;
 };
 
+void add_seed(CLI::App& command, Settings& settings, const char* text) {
+    // The seeds of all replicas must fit the store's signed numbers.
+    constexpr auto most =
+        static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max() - catalog::most_runs);
+    command.add_option("--seed", settings.seed, text)
+        ->check(app::whole_number(0, most))
+        ->capture_default_str();
+}
+
+void add_jobs(CLI::App& command, Settings& settings) {
+    constexpr std::uint64_t most = 1000;
+    command.add_option("--jobs", settings.jobs, "runs side by side (default: one per processor)")
+        ->check(app::whole_number(1, most));
+}
+
 void add_selection(CLI::App& command, Arguments& arguments) {
     Settings& s = arguments.settings;
     command.add_option("CASE", s.cases, "cases by name or path of a case file (default: all)");
     command.add_option("--code", s.codes, "only this code (may be repeated)")
         ->allow_extra_args(false);
     command.add_option("--replicas", s.replicas, "runs per code, each with its own seed")
-        ->check(CLI::PositiveNumber);
-    command.add_option("--seed", s.seed, "seed of the first replica")->capture_default_str();
+        ->check(app::whole_number(1, catalog::most_runs));
+    add_seed(command, s, "seed of the first replica");
     command.add_option("--suite", arguments.suite, "size of the cases: quick or full")
         ->check(CLI::IsMember({"quick", "full"}));
 }
 
 void add_execution(CLI::App& command, Arguments& arguments) {
     Settings& s = arguments.settings;
-    command.add_option("--jobs", s.jobs, "runs side by side (default: one per processor)");
+    add_jobs(command, s);
     command.add_flag("--fresh", s.fresh, "compute again what the store already has");
     command.add_option("--time-limit", s.time_limit, "wall seconds per run")
-        ->check(CLI::PositiveNumber);
+        ->check(app::positive_number(1e9));
     command.add_flag("--keep-dumps", s.keep_dumps,
                      "keep inputs, logs and trajectories in <results>/runs");
 }
@@ -102,7 +124,9 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     auto* write = add("write", "write the inputs of a code only",
                       [](Arguments& x, auto) { return app::write_inputs(x.settings, x.out); });
     add_selection(*write, a);
-    write->add_option("--out", a.out, "directory to write to")->required();
+    write->add_option("--out", a.out, "directory to write to")
+        ->required()
+        ->check(app::printable_text(TextKind::line));
     auto* read = add("read", "measure a LAMMPS dump made elsewhere", [](Arguments& x, auto) {
         x.read.dump = x.settings.cases.back();
         x.settings.cases.pop_back();
@@ -111,10 +135,14 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     read->add_option("CASE PATH", a.settings.cases, "the case, and the dump")
         ->required()
         ->expected(2);
-    read->add_option("--code", a.read.name, "name of the code that made it")->required();
-    read->add_option("--variant", a.read.variant, "variant of the case (default: the first)");
-    read->add_option("--rung", a.read.rung, "which time step of a ladder, from 1");
-    read->add_option("--seed", a.settings.seed, "seed of the initial state")->capture_default_str();
+    read->add_option("--code", a.read.name, "name of the code that made it")
+        ->required()
+        ->check(app::printable_text(TextKind::name));
+    read->add_option("--variant", a.read.variant, "variant of the case (default: the first)")
+        ->check(app::printable_text(TextKind::line));
+    read->add_option("--rung", a.read.rung, "which time step of a ladder, from 1")
+        ->check(app::whole_number(1, catalog::most_runs));
+    add_seed(*read, a.settings, "seed of the initial state");
     auto* certify = add("certify", "certificate of equivalence between codes",
                         [](Arguments& x, std::stop_token stop) {
                             return app::certify_cases(x.settings, std::move(stop));
@@ -162,7 +190,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
         ->required();
     advise->add_option("--tolerance", a.advise.tolerance, "largest error, in the observable's unit")
         ->required()
-        ->check(CLI::PositiveNumber);
+        ->check(app::positive_number(1e300));
     auto* selftest = add("selftest", "error rates of the verdicts: false alarms, planted defects",
                          [](Arguments& x, std::stop_token stop) {
                              return app::selftest(x.settings, x.selftest, std::move(stop));
@@ -170,8 +198,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     selftest->add_option("--defects", a.selftest.defects, "directory of defects and null cases")
         ->check(CLI::ExistingDirectory);
     selftest->add_flag("--quick", a.selftest.quick, "a small part: seconds, figures mean little");
-    selftest->add_option("--jobs", a.settings.jobs,
-                         "runs side by side (default: one per processor)");
+    add_jobs(*selftest, a.settings);
     selftest->add_flag("--fresh", a.settings.fresh, "compute again what the store already has");
     auto* validate = add("validate", "run a suite, judge it, write the report",
                          [](Arguments& x, std::stop_token stop) {
@@ -191,11 +218,7 @@ void choose_suite(const CLI::App& command, Arguments& arguments) {
     arguments.settings.suite = quick ? catalog::Suite::quick : catalog::Suite::full;
 }
 
-/// Without line feeds at its end.
-std::string trimmed(std::string text) {
-    text.erase(text.find_last_not_of('\n') + 1);
-    return text;
-}
+constexpr std::size_t longest_message = 1000;
 
 int run_program(int argc, char** argv) {
     const SignalStop stop;
@@ -215,10 +238,12 @@ int run_program(int argc, char** argv) {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         std::ostringstream text, complaint;
-        const bool asked = program.exit(error, text, complaint) == 0;
+        const bool asked = program.exit(error, text, complaint) == 0;  // for help or the version
         app::print_result_text(text.str());
-        if (!complaint.str().empty()) app::print_note("{}", trimmed(complaint.str()));
-        return asked ? app::exit_ok : app::exit_usage;
+        if (asked) return app::exit_ok;
+        app::print_note("error: {}; see 'crossgrain --help'",
+                        printable(error.what(), longest_message));
+        return app::exit_usage;
     }
     auto* command = program.get_subcommands().front();
     choose_suite(*command, arguments);
@@ -238,6 +263,15 @@ int guarded_run(int argc, char** argv) {
         return failed(error, app::exit_usage);
     } catch (const store::StoreError& error) {
         return failed(error, app::exit_usage);
+    } catch (const Interrupted&) {
+        return app::exit_interrupted;
+    } catch (const std::bad_alloc&) {
+        // Runs that fail are told as such where they fail: this is about what was being planned.
+        app::print_note("error: the input asks for more memory than there is");
+        return app::exit_usage;
+    } catch (const std::length_error& error) {
+        app::print_note("error: the input asks for more than can be counted: {}", error.what());
+        return app::exit_usage;
     } catch (const std::exception& error) {
         return failed(error, app::exit_run_failed);
     }

@@ -94,7 +94,8 @@ store::Store open_store(const Settings& settings, store::Access access) {
                         [](const std::string& line) { print_note("warning: {}", line); });
 }
 
-std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings) {
+std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings,
+                                                                 std::stop_token stop) {
     const std::string directory = (share_directory() / "catalog").string();
     const std::string suite = name_of(settings.suite);
     std::vector<std::shared_ptr<const catalog::Case>> cases;
@@ -104,7 +105,7 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
         // Not every case is charted.
         const bool optional = settings.cases.empty() && suite != "quick" && suite != "full";
         if (optional && !has_suite(directory, name, suite)) continue;
-        auto found = catalog::find_case(directory, name, settings.suite, settings.map_axes);
+        auto found = catalog::find_case(directory, name, settings.suite, settings.map_axes, stop);
         const bool wanted =
             !settings.cases.empty() ||
             std::find(found.suites.begin(), found.suites.end(), suite) != found.suites.end();
@@ -114,6 +115,7 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
         // A case that was named is refused when it is planned; one of the suite is left out.
         if (!wanted || (settings.cases.empty() && !runnable)) continue;
         if (!is_new(found, cases)) continue;
+        catalog::check_runs(found, settings.replicas);
         check_names(found);
         cases.push_back(std::make_shared<const catalog::Case>(std::move(found)));
     }
@@ -122,7 +124,7 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings&
 
 SessionReport run_session(const Settings& settings, store::Store& store, std::stop_token stop,
                           bool compute) {
-    const auto cases = selected_cases(settings);
+    const auto cases = selected_cases(settings, stop);
     const auto codes = select_codes(settings.codes);
     const published::PublishedValues literature(share_directory() / "published");
     std::vector<PlannedRun> runs;

@@ -42,7 +42,7 @@ struct SessionReport {
 /// The cases named in the settings, each file once, or all of the suite. Throws CaseError; also
 /// when two of them have the same name.
 [[nodiscard]] std::vector<std::shared_ptr<const catalog::Case>>
-selected_cases(const Settings& settings);
+selected_cases(const Settings& settings, std::stop_token stop = {});
 
 /// With `compute` false only the store is read. Verdicts are recorded in the store.
 [[nodiscard]] SessionReport run_session(const Settings& settings, store::Store& store,

@@ -160,7 +160,10 @@ int read_dump(const Settings& settings, const ReadRequest& request) {
     } else {
         print_results("{}\n{}", case_table(report.cases.front()), exceptions_list(report));
     }
-    return failed ? exit_run_failed : exit_code(report, settings);
+    if (!failed) return exit_code(report, settings);
+    // Not a run of ours that failed: the dump is bad input.
+    print_note("error: {}", report.cases.front().runs.records().front().reason);
+    return exit_usage;
 }
 
 }  // namespace crossgrain::app

@@ -17,7 +17,7 @@ using toml_input::TomlTable;
 const std::array<std::string, 3> judges{"same", "sign", "word"};
 
 TableColumn read_column(const TomlTable& t) {
-    TableColumn column{.name = t.text("name"), .title = t.text("title")};
+    TableColumn column{.name = t.name("name"), .title = t.text("title")};
     column.group = t.optional_text("group").value_or("");
     column.code = t.optional_text("code").value_or("");
     if (!column.code.empty()) {
@@ -153,7 +153,7 @@ Phenomenon load_phenomenon(const std::filesystem::path& file) {
     const toml::table root = toml_input::parse_toml_file(file.string());
     const TomlTable t(file.string(), "", {&root});
     Phenomenon phenomenon{
-        .name = file.stem().string(), .title = t.text("title"), .text = t.text("text")};
+        .name = file.stem().string(), .title = t.text("title"), .text = t.prose("text")};
     const std::string reference = t.text("reference");
     for (const TomlTable& column : t.tables("column"))
         phenomenon.columns.push_back(read_column(column));

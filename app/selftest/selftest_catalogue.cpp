@@ -38,11 +38,11 @@ std::string code_of(const TomlTable& t, const char* key) {
 }
 
 TextEdit edit_of(const TomlTable& t) {
-    return {.from = t.optional_text("replace").value_or(""), .to = t.text("with")};
+    return {.from = t.has("replace") ? t.prose("replace") : "", .to = t.prose("with")};
 }
 
 Defect read_defect(const TomlTable& t) {
-    Defect defect{.name = t.text("name"),
+    Defect defect{.name = t.name("name"),
                   .kind = static_cast<DefectKind>(t.choice("kind", kind_words)),
                   .place = fmt::format("{}:{}", fs::path(t.file()).filename().string(), t.line())};
     defect.code = defect.kind == DefectKind::reference ? "published" : code_of(t, "code");
@@ -81,7 +81,7 @@ DefectGroup read_group(const TomlTable& t, const fs::path& directory) {
         throw t.error("codes", error.details().problem, error.details().got,
                       error.details().expected, error.details().hint);
     }
-    if (t.has("peers")) group.peers = static_cast<int>(t.integer("peers", 0));
+    if (t.has("peers")) group.peers = static_cast<int>(t.integer("peers", 0, 100));
     for (const TomlTable& entry : t.tables("defect"))
         group.defects.push_back(read_defect(entry));
     for (const auto& defect : group.defects) {
@@ -98,7 +98,7 @@ DefectGroup read_group(const TomlTable& t, const fs::path& directory) {
 NullComparison read_null(const TomlTable& t, const fs::path& directory) {
     NullComparison null{.case_name = case_of(t, directory),
                         .code = code_of(t, "code"),
-                        .rounds = static_cast<int>(t.integer("rounds", 1)),
+                        .rounds = static_cast<int>(t.integer("rounds", 1, 1'000'000)),
                         .place =
                             fmt::format("{}:{}", fs::path(t.file()).filename().string(), t.line())};
     null.against = t.has("against") ? code_of(t, "against") : null.code;
