@@ -6,6 +6,8 @@
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
+#include "reports/store/bounded_json.hpp"
 #include "reports/store/run_claim.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +16,10 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -26,6 +31,8 @@ namespace fs = std::filesystem;
 using scene::InitialState;
 using scene::Scene;
 
+constexpr std::size_t longest_path = 1000;
+
 /// The run that makes the state: one frame at its end.
 Scene preparatory_run(const Scene& given) {
     Scene start = given;
@@ -35,14 +42,41 @@ Scene preparatory_run(const Scene& given) {
     return start;
 }
 
-std::optional<InitialState> read_state(const fs::path& file) {
-    std::ifstream in(file);
+/// One place for each grain. Throws std::invalid_argument otherwise.
+std::vector<double> positions(const nlohmann::json& state, const char* axis, std::size_t grains) {
+    const auto found = state.find(axis);
+    if (found == state.end() || !found->is_array() || found->size() != grains) {
+        throw std::invalid_argument(
+            fmt::format("'{}' are not the places of {} grains", axis, grains));
+    }
+    std::vector<double> values;
+    values.reserve(grains);
+    for (const auto& value : *found) {
+        if (!value.is_number() || !std::isfinite(value.get<double>())) {
+            throw std::invalid_argument(fmt::format("'{}' holds what is no finite number", axis));
+        }
+        values.push_back(value.get<double>());
+    }
+    return values;
+}
+
+/// A state that is not whole counts as absent, which is said: it is made again.
+std::optional<InitialState> read_state(const fs::path& file, std::size_t grains) {
+    std::ifstream in(file, std::ios::binary);
     if (!in) return std::nullopt;
-    const auto json = nlohmann::json::parse(in);
-    InitialState state;
-    state.x = json.at("x").get<std::vector<double>>();
-    state.y = json.at("y").get<std::vector<double>>();
-    return state;
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    try {
+        const nlohmann::json json = store::bounded_json(text);
+        if (!json.is_object()) throw std::invalid_argument("no JSON object");
+        InitialState state;
+        state.x = positions(json, "x", grains);
+        state.y = positions(json, "y", grains);
+        return state;
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "warning: the prepared state in {} is damaged ({}) and is made again\n",
+                   printable(file.string(), longest_path), printable(error.what()));
+        return std::nullopt;
+    }
 }
 
 /// Under another name first, so that a file that is there is complete.
@@ -93,7 +127,7 @@ Preparations::prepared(std::shared_ptr<const scene::AnyScene> given, double time
     const nlohmann::json identity{{"scene", scene::to_json(start)}, {"version", version_}};
     const std::string key = sha256(identity.dump());
     const auto claim = claimed(directory_, key, stop);
-    auto stored = read_state(directory_ / (key + ".json"));
+    auto stored = read_state(directory_ / (key + ".json"), start.grain_count());
     const InitialState state = stored ? std::move(*stored) : settled(start, key, time_limit, stop);
     return std::make_shared<const scene::AnyScene>(scene::start_of_run(*grains, state));
 }

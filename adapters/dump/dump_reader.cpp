@@ -152,6 +152,8 @@ void DumpReader::State::take_item(std::string_view line) {
         bounded = true;
         bounds_left = 3;
         expects = Expects::bounds;
+    } else if (line.find_first_not_of(" \t") == std::string_view::npos) {
+        throw TrajectoryError("a blank line is out of place");
     } else {
         throw TrajectoryError(fmt::format(
             "'{}' is out of place (a frame is ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS)",

@@ -34,8 +34,8 @@ class Options {
     void read(const char* name, std::int64_t& value) const {
         const auto given = number(name);
         if (!given) return;
-        if (*given != std::round(*given) || std::abs(*given) > 0x1p53) {
-            throw std::invalid_argument(std::string(name) + " must be a whole number");
+        if (*given != std::round(*given) || std::abs(*given) > 1e9) {
+            throw std::invalid_argument(std::string(name) + " must be a whole number, at most 1e9");
         }
         value = static_cast<std::int64_t>(*given);
     }

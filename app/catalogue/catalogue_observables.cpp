@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -30,6 +31,15 @@ double number_or(const ObservableRequest& request, const char* option, double st
     return found == request.options.end() || found->second.numbers.empty()
                ? standard
                : found->second.numbers.front();
+}
+
+/// Throws std::invalid_argument for what is no whole number of a size that makes sense.
+int whole_or(const ObservableRequest& request, const char* option, int standard) {
+    constexpr double most = 1e6;
+    const double value = number_or(request, option, standard);
+    if (value == std::round(value) && std::abs(value) <= most) return static_cast<int>(value);
+    throw std::invalid_argument(
+        fmt::format("{} = {:g} is no whole number of at most {:g}", option, value, most));
 }
 
 EstimatorPointer make_trajectory(const Scene& scene, const ObservableRequest& request) {
@@ -59,8 +69,7 @@ std::optional<double> number_of(const ObservableRequest& request, const char* op
 
 EstimatorPointer make_energy_balance(const Scene& scene, const ObservableRequest& request) {
     measure::EnergyBalanceOptions options{.skip = number_or(request, "skip", 0)};
-    options.samples_per_frame =
-        static_cast<int>(number_or(request, "samples_per_frame", options.samples_per_frame));
+    options.samples_per_frame = whole_or(request, "samples_per_frame", options.samples_per_frame);
     options.accurate_within = number_of(request, "accurate_within");
     // A map asks also what happens at time steps near the contact time.
     if (options.accurate_within) options.least_frames_per_contact_time = 0;
@@ -74,8 +83,8 @@ EstimatorPointer make_velocity_spectrum(const Scene& scene, const ObservableRequ
                                              .skip = number_or(request, "skip", 0),
                                              .from = number_of(request, "from"),
                                              .to = number_of(request, "to")};
-    options.k_min = static_cast<int>(number_or(request, "k_min", options.k_min));
-    options.k_max = static_cast<int>(number_or(request, "k_max", options.k_max));
+    options.k_min = whole_or(request, "k_min", options.k_min);
+    options.k_max = whole_or(request, "k_max", options.k_max);
     return std::make_unique<measure::VelocitySpectrum>(scene, options);
 }
 
@@ -100,8 +109,8 @@ EstimatorPointer make_displacement_spectrum(const Scene& scene, const Observable
     measure::DisplacementSpectrumOptions options{.spacing = number_or(request, "spacing", 0),
                                                  .crossing = crossing_of(request),
                                                  .skip = number_or(request, "skip", 0)};
-    options.k_min = static_cast<int>(number_or(request, "k_min", options.k_min));
-    options.k_max = static_cast<int>(number_or(request, "k_max", options.k_max));
+    options.k_min = whole_or(request, "k_min", options.k_min);
+    options.k_max = whole_or(request, "k_max", options.k_max);
     return std::make_unique<measure::DisplacementSpectrum>(scene, options);
 }
 

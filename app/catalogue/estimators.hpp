@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 namespace crossgrain::app {
@@ -67,6 +68,13 @@ auto make_estimators(const catalog::Case& the_case, const SceneT& scene) {
                              .key = "observable",
                              .problem = fmt::format("'{}' cannot be measured: {}", request.name,
                                                     error.what())});
+        } catch (const std::bad_alloc&) {
+            throw CaseError(
+                {.file = the_case.file,
+                 .line = request.line,
+                 .column = request.column,
+                 .key = "observable",
+                 .problem = fmt::format("'{}' needs more memory than there is", request.name)});
         }
     }
     return estimators;

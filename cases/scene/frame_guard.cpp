@@ -34,11 +34,22 @@ void FrameGuard::check_schedule(const Frame& frame) const {
         throw TrajectoryError(
             fmt::format("frame at step {} lies beyond the last step {}", frame.step, scene_.steps));
     }
-    if (frame.step < expected_step_) {
+    const std::int64_t last_step = expected_step_ - scene_.frame_every;
+    if (frames_ == 0 && frame.step < 0) {
+        throw TrajectoryError(
+            fmt::format("the first frame is at step {}, not at step 0", frame.step));
+    }
+    if (frame.step <= last_step) {
         throw TrajectoryError(fmt::format(
             "frame at step {} comes after the frame at step {}: frames overlap (was a run appended "
             "to an older trajectory?)",
-            frame.step, expected_step_ - scene_.frame_every));
+            frame.step, last_step));
+    }
+    if (frame.step < expected_step_) {
+        throw TrajectoryError(
+            fmt::format("frame at step {} lies between steps {} and {}, at which the scene has "
+                        "frames (another time step, or frames too often?)",
+                        frame.step, last_step, expected_step_));
     }
     if (frame.step > expected_step_) {
         throw TrajectoryError(fmt::format("frame at step {} is missing (found step {} instead)",

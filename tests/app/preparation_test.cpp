@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 
@@ -117,6 +119,43 @@ BOOST_AUTO_TEST_CASE(a_state_is_made_once_and_read_back_to_the_same_bits) {
     Preparations newer(directory.path() / "prepared", engine, "2");
     (void)newer.prepared(settled_scene(), 60, {});
     BOOST_TEST(engine.runs == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_damaged_state_is_made_again) {
+    const tests::TemporaryDirectory directory;
+    const auto prepared = directory.path() / "prepared";
+    const SinkingEngine engine;
+    const auto whole = Preparations(prepared, engine, "1").prepared(settled_scene(), 60, {});
+    std::filesystem::path file;
+    for (const auto& entry : std::filesystem::directory_iterator(prepared))
+        if (entry.path().extension() == ".json") file = entry.path();
+    std::ifstream in(file);
+    const std::string good(std::istreambuf_iterator<char>(in), {});
+    const auto without_first_x = [&] {
+        const auto begin = good.find("\"x\":[") + 5;
+        return good.substr(0, begin) + good.substr(good.find(',', begin) + 1);
+    };
+    const auto infinite = [&] {
+        const auto begin = good.find("\"x\":[") + 5;
+        return good.substr(0, begin) + "1e999" + good.substr(good.find(',', begin));
+    };
+    const auto a_word = [&] {
+        const auto begin = good.find("\"y\":[") + 5;
+        return good.substr(0, begin) + "\"1\"" + good.substr(good.find(',', begin));
+    };
+    int made = 1;
+    for (const std::string& damaged :
+         {std::string(), good.substr(0, good.size() / 2), std::string("[]"), std::string("{}"),
+          std::string(200'000, '['), without_first_x(), infinite(), a_word(),
+          std::string("{\"x\":null,\"y\":null}")}) {
+        std::ofstream(file) << damaged;
+        const auto again = Preparations(prepared, engine, "1").prepared(settled_scene(), 60, {});
+        BOOST_TEST(engine.runs == ++made, damaged.substr(0, 40));
+        BOOST_TEST(grains(again).initial.x == grains(whole).initial.x, tt::per_element());
+    }
+    // The one that was made last is whole again.
+    (void)Preparations(prepared, engine, "1").prepared(settled_scene(), 60, {});
+    BOOST_TEST(engine.runs == made);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_that_needs_nothing_is_left_alone) {

@@ -37,6 +37,9 @@ class Program {
     /// Of another one, to share its results; empty: its own.
     std::filesystem::path shared_results;
 
+    /// Put before the program, e.g. a shell that limits its memory.
+    std::vector<std::string> launcher;
+
     [[nodiscard]] std::filesystem::path results() const {
         return shared_results.empty() ? directory_.path() / "results" : shared_results;
     }
@@ -44,6 +47,7 @@ class Program {
 
     Answer operator()(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), CROSSGRAIN_PROGRAM);
+        arguments.insert(arguments.begin(), launcher.begin(), launcher.end());
         arguments.insert(arguments.end(), {"--results", results().string()});
         return answer_of(std::move(arguments));
     }

@@ -1,6 +1,7 @@
 #include "cases/measure/discharge/discharge_stagnation.hpp"
 
 #include "cases/measure/statistics/jackknife.hpp"
+#include "native/base/memory_budget.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +38,9 @@ DischargeStagnation::DischargeStagnation(const scene::Scene& scene,
       bin_(options_.bin * walls_.diameter),
       interval_(scene.dt * static_cast<double>(scene.frame_every)) {
     check(options_);
-    bins_.resize(static_cast<std::size_t>(std::ceil(walls_.height / bin_)));
+    const double bins = std::ceil(walls_.height / bin_);
+    require_memory(bins * sizeof(bins_[0]), "bins along the walls");
+    bins_.resize(static_cast<std::size_t>(bins));
 }
 
 void DischargeStagnation::add(const scene::Frame& frame) {

@@ -2,6 +2,7 @@
 
 #include "cases/measure/statistics/jackknife.hpp"
 #include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/base/memory_budget.hpp"
 
 #include <fmt/format.h>
 
@@ -33,8 +34,9 @@ GasCorrelationOptions checked(const scene::GasSampling& sampling, GasCorrelation
 /// Frames a wave of this velocity needs from one place to the other.
 double frames_between(const scene::GasSampling& sampling, const GasCorrelationOptions& o,
                       double velocity) {
-    return static_cast<double>(o.separation * sampling.bin) / velocity /
-           static_cast<double>(sampling.every);
+    const double frames = static_cast<double>(o.separation * sampling.bin) / velocity /
+                          static_cast<double>(sampling.every);
+    return std::min(frames, 1e15);  // longer than any run, and still a whole number
 }
 
 }  // namespace
@@ -54,6 +56,8 @@ GasCorrelation::GasCorrelation(const scene::GasSampling& sampling, GasCorrelatio
     require(usable > 0, fmt::format("{} frames are too few for a largest time of {} frames and the "
                                     "running mean",
                                     sampling.frames(), longest));
+    require_memory(16.0 * static_cast<double>(lag_max_ + 1) * sampling.replicas,
+                   "sums for every time");
     stride_ = std::max<std::int64_t>(1, usable / options_.references);
     active_.resize(static_cast<std::size_t>(longest / stride_ + 1));
     sums_.assign((lag_max_ + 1) * replicas_, 0.0);

@@ -1,5 +1,7 @@
 #include "cases/measure/gas/gas_flux.hpp"
 
+#include "native/base/memory_budget.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +15,11 @@ constexpr double classes_per_unit = 40;
 
 // Seven states per site, and two more in each wall site beside the bin.
 std::size_t most_particles(const scene::GasSampling& sampling) {
-    return static_cast<std::size_t>(sampling.bin) *
-           (7 * static_cast<std::size_t>(sampling.width) + 4);
+    const std::size_t most =
+        static_cast<std::size_t>(sampling.bin) * (7 * static_cast<std::size_t>(sampling.width) + 4);
+    require_memory(16.0 * static_cast<double>(most) * sampling.replicas,
+                   "sums for every number of particles in a bin");
+    return most;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "cases/measure/gas/gas_overlap.hpp"
 
 #include "cases/measure/gas/gas_window.hpp"
+#include "native/base/memory_budget.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,12 @@ std::vector<std::int64_t> lags_in_frames(const scene::GasSampling& sampling,
                                          const GasOverlapOptions& options) {
     std::vector<std::int64_t> lags;
     if (!(options.lag_min > 0 && options.lag_step > 0)) return lags;
+    constexpr double most = 1e6;
+    if ((options.lag_max - options.lag_min) / options.lag_step > most) {
+        throw std::invalid_argument(fmt::format("lags {} to {} by {} steps are more than {:g}",
+                                                options.lag_min, options.lag_max, options.lag_step,
+                                                most));
+    }
     for (double lag = options.lag_min; lag <= options.lag_max; lag += options.lag_step) {
         const auto frames = std::llround(lag / static_cast<double>(sampling.every));
         if (frames > 0 && (lags.empty() || frames > lags.back())) lags.push_back(frames);
@@ -54,6 +61,8 @@ GasOverlap::GasOverlap(const scene::GasSampling& sampling, GasOverlapOptions opt
     rows_ = static_cast<std::size_t>(std::max(1.0, std::round(options.smoothing / sampling.bin)));
     const std::int64_t spaced = sampling.frames() / options.references;
     stride_ = std::max(lags_.back() + 1, spaced);
+    require_memory(8.0 * static_cast<double>(lags_.size() + 1) * static_cast<double>(shape_.size()),
+                   "overlaps at all lags");
     overlaps_.assign((lags_.size() + 1) * shape_.size(), 0.0F);
     pending_ = overlaps_;
 }

@@ -4,6 +4,7 @@
 #include "cases/measure/statistics/jackknife.hpp"
 #include "cases/measure/statistics/mean_with_error.hpp"
 #include "cases/measure/statistics/parzen_window.hpp"
+#include "native/base/memory_budget.hpp"
 
 #include <fmt/format.h>
 
@@ -35,6 +36,9 @@ GasSpectrumOptions checked(const scene::GasSampling& sampling, GasSpectrumOption
     if (o.last_bin < 0) o.last_bin = sampling.bins() - 1;
     require(o.first_bin >= 0 && o.first_bin <= o.last_bin && o.last_bin < sampling.bins(),
             fmt::format("needs 0 <= first_bin <= last_bin < {} bins", sampling.bins()));
+    require_memory(4.0 * static_cast<double>(o.last_bin - o.first_bin + 2) * sampling.replicas *
+                       static_cast<double>(o.points),
+                   "segments of all bins and replicas");
     return o;
 }
 

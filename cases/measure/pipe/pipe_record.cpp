@@ -1,5 +1,7 @@
 #include "cases/measure/pipe/pipe_record.hpp"
 
+#include "native/base/memory_budget.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +29,10 @@ PipeRecorder::PipeRecorder(const scene::Scene& scene, PipeRecordOptions options)
         throw std::invalid_argument(fmt::format(
             "bins of {} diameters give {} in the pipe, 16 or more are needed", options.bin, bins));
     }
+    // Grown by doubling.
+    const auto frames = static_cast<double>(scene.steps / scene.frame_every + 1);
+    require_memory(2 * frames * bins * (sizeof(record_.count[0]) + sizeof(record_.flux[0])),
+                   "counts in all bins and frames");
     record_.bins = static_cast<std::size_t>(bins);
     record_.length = section_.length;
     record_.bin = section_.length / bins;

@@ -198,6 +198,78 @@ BOOST_AUTO_TEST_CASE(broken_dumps_are_refused_with_the_reason) {
                0u);
 }
 
+BOOST_AUTO_TEST_CASE(what_is_no_text_is_refused_for_what_it_is) {
+    using namespace std::string_literals;
+    BOOST_TEST(refusal("\x1f\x8b\x08 compressed\n") ==
+               "dump is compressed (gzip), not a LAMMPS text dump");
+    BOOST_TEST(refusal("\x1f\x8b\x08") == "dump is compressed (gzip), not a LAMMPS text dump");
+    BOOST_TEST(refusal("\xff\xfeI\0T\0"s) == "dump is UTF-16 text, not a LAMMPS text dump");
+    BOOST_TEST(refusal("\0\0\0\0\n"s) == "dump is binary (byte 1 is 0), not a LAMMPS text dump");
+    BOOST_TEST(refusal("\xEF\xBB\xBF" + header + columns + rows) == "accepted");
+    const std::string escaped = refusal(header + columns + rows + "\x1b[2J\x07\n");
+    BOOST_TEST(escaped.find("'\\x1b[2J\\x07' is out of place") != std::string::npos, escaped);
+    BOOST_TEST(refusal(replaced(header + columns + rows, "-0.5", "\x1b[2J"))
+                   .find("'\\x1b[2J' in column x is not a number") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_line_without_end_is_refused_when_it_is_too_long) {
+    const std::string longest(adapters::dump::longest_line, 'x');
+    for (const std::string& start : {std::string(), header + columns}) {
+        std::size_t fed = 0;
+        const auto scene = pair();
+        DumpReader reader(scene, [](const scene::Frame&) {});
+        reader.feed(start);
+        const auto feed_on = [&] {
+            for (; fed < 1'000'000; ++fed)
+                reader.feed(longest.substr(0, 1000));
+        };
+        BOOST_CHECK_EXCEPTION(feed_on(), TrajectoryError, [](const auto& error) {
+            const std::string text = error.what();
+            return text.find("longer than 65536 bytes") != std::string::npos && text.size() < 300;
+        });
+        BOOST_TEST(fed < 70u);
+    }
+    // In one piece, with an end, and of zeros as a device has them.
+    BOOST_TEST(refusal(header + columns + longest + "x\n").find("longer than") !=
+               std::string::npos);
+    BOOST_TEST(refusal(std::string(200'000, '\0')) ==
+               "dump is binary (byte 1 is 0), not a LAMMPS text dump");
+    // A comment-like column of that length is no reason to refuse.
+    const std::string rest = " " + longest.substr(0, adapters::dump::longest_line - 20);
+    BOOST_TEST(refusal(header + columns + replaced(rows, "2 3\n", "2 3" + rest + "\n")) ==
+               "accepted");
+}
+
+BOOST_AUTO_TEST_CASE(a_header_is_not_repeated_without_end) {
+    const std::string units = "ITEM: UNITS\nlj\n", time = "ITEM: TIME\n0\n";
+    BOOST_TEST(refusal(units + time + header + columns + rows) == "accepted");
+    BOOST_TEST(refusal(units + units).find("line 3: 'ITEM: UNITS' is out of place") !=
+               std::string::npos);
+    BOOST_TEST(refusal(time + time).find("line 3: 'ITEM: TIME' is out of place") !=
+               std::string::npos);
+    BOOST_TEST(refusal(header + columns + rows + "\n") ==
+               "dump, line 12: a blank line is out of place");
+}
+
+BOOST_AUTO_TEST_CASE(kept_dumps_name_the_periods) {
+    auto scene = tests::small_gas();
+    scene.periodic_x = 10;
+    scene.periodic_y = 14;
+    const auto frame = tests::reference_frames(tests::small_gas(1e-2)).front();
+    const std::string both = written(scene, {frame});
+    BOOST_TEST(both.find("ITEM: BOX BOUNDS pp pp pp\n0 10\n0 14\n") != std::string::npos);
+    scene.periodic_y.reset();
+    BOOST_TEST(written(scene, {frame}).find("ITEM: BOX BOUNDS pp ss pp\n0 10\n") !=
+               std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(data_files_hold_no_text_from_outside) {
+    auto scene = pair();
+    const std::string plain = adapters::dump::data_file(scene);
+    scene.name = "x\nshell touch pwned\n#";
+    BOOST_TEST(adapters::dump::data_file(scene) == plain);
+}
+
 BOOST_AUTO_TEST_CASE(what_the_sink_throws_is_left_alone) {
     const auto scene = pair();
     DumpReader reader(scene, [](const scene::Frame&) { throw TrajectoryError("mine"); });

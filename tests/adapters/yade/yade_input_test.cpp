@@ -70,8 +70,10 @@ BOOST_AUTO_TEST_CASE(input_is_the_scripts_unchanged_and_the_scene) {
     BOOST_TEST(files[0].name == "scene.py");
     BOOST_TEST((files[0].text == source_of("scene.py.in")));
     BOOST_TEST(files[1].name == "scene.json");
-    // Every digit of every number survives.
-    BOOST_TEST((nlohmann::json::parse(files[1].text) == scene::to_json(scene)));
+    // Every digit of every number survives; the name, a text from outside, is left out.
+    nlohmann::json expected = scene::to_json(scene);
+    expected.erase("name");
+    BOOST_TEST((nlohmann::json::parse(files[1].text) == expected));
     BOOST_TEST(files[2].name == "laws.py");
     BOOST_TEST((files[2].text == source_of("laws.py.in")));
     BOOST_TEST(files[3].name == "plates.py");
