@@ -73,7 +73,8 @@ std::optional<InitialState> read_state(const fs::path& file, std::size_t grains)
         state.y = positions(json, "y", grains);
         return state;
     } catch (const std::invalid_argument& error) {
-        fmt::print(stderr, "warning: the prepared state in {} is damaged ({}) and is made again\n",
+        fmt::print(stderr,
+                   "warning: the prepared state in {} cannot be used ({}) and is made again\n",
                    printable(file.string(), longest_path), printable(error.what()));
         return std::nullopt;
     }

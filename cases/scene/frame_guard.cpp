@@ -37,7 +37,7 @@ void FrameGuard::check_schedule(const Frame& frame) const {
     const std::int64_t last_step = expected_step_ - scene_.frame_every;
     if (frames_ == 0 && frame.step < 0) {
         throw TrajectoryError(
-            fmt::format("the first frame is at step {}, not at step 0", frame.step));
+            fmt::format("frame at step {} comes before step 0, the first", frame.step));
     }
     if (frame.step <= last_step) {
         throw TrajectoryError(fmt::format(

@@ -151,7 +151,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }  // namespace
 
 BOOST_DATA_TEST_CASE(a_hostile_case_is_refused_and_touches_nothing, data::make(edits), edit) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     std::filesystem::create_directories(program.results() / "runs");
     const auto kept = program.results() / "kept", kept_run = program.results() / "runs" / "kept";
     std::ofstream(kept) << "mine";
@@ -163,7 +163,7 @@ BOOST_DATA_TEST_CASE(a_hostile_case_is_refused_and_touches_nothing, data::make(e
 }
 
 BOOST_AUTO_TEST_CASE(a_gas_beyond_all_memory_is_refused) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     check_refused(
         program({"run", written(program, replaced(replaced(pipe_of_gas, "220", "10000000"),
                                                   "width = 11", "width = 100"))}),
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_gas_beyond_all_memory_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_case_file_is_refused_for_what_it_is) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     using namespace std::string_literals;
     check_refused(program({"run", "/dev/zero"}), {"device"});
     check_refused(program({"run", program.directory().string() + "/"}), {"directory"});
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_case_file_is_refused_for_what_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_on_the_command_line_are_what_was_typed) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     const auto file = program.case_with("small-gas", name, name);
     const std::vector<std::pair<std::string, std::vector<std::string>>> refused{
         {"--seed", {"-1", "18446744073709551616", "1e3", "0x10", "", " 1", "one"}},
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(numbers_on_the_command_line_are_what_was_typed) {
 }
 
 BOOST_AUTO_TEST_CASE(a_name_with_umlauts_is_a_name) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     const auto file = program.case_with("small-gas", name, "name = \"\u00dcbung \u03b8/1\"");
     const auto answer = program({"run", file, "--code", "native-dem", "--json", "--keep-dumps"});
     BOOST_TEST(answer.status == 0, answer.err);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(a_name_with_umlauts_is_a_name) {
 }
 
 BOOST_AUTO_TEST_CASE(a_case_may_come_through_a_pipe) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     const auto file = program.case_with("small-gas", name, name);
     const auto pipe = program.directory() / "pipe";
     BOOST_TEST_REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);

@@ -29,24 +29,25 @@ std::ostream& operator<<(std::ostream& out, const Dump& dump) {
     return out << dump.file;
 }
 
-const std::vector<Dump> refused{{"bad-gzip.dump.gz", "compressed (gzip)"},
-                                {"bad-binary.dump", "is binary"},
-                                {"bad-utf16.dump", "UTF-16"},
-                                {"bad-escape.dump", "\\x1b]0;owned\\x07"},
-                                {"bad-decimal-comma.dump", "decimal comma"},
-                                {"bad-fortran-d.dump", "Fortran's D"},
-                                {"bad-float-ids.dump", "'1.0' in column id is not a whole number"},
-                                {"bad-step-overflow.dump", "'99999999999999999999' is not a step"},
-                                {"bad-negative-steps.dump", "the first frame is at step -100"},
-                                {"bad-nan.dump", "is not finite"},
-                                {"bad-dup-id.dump", "id 1 appears twice"},
-                                {"bad-lost-atom.dump", "holds 1 atoms, 2 expected"},
-                                {"bad-restart-repeat.dump", "frames overlap"},
-                                {"bad-two-bounds.dump", "out of place"},
-                                {"bad-truncated-number.dump", "ends in the middle"},
-                                {"bad-no-newline.dump", "ends in the middle"},
-                                {"bad-blank-end.dump", "a blank line is out of place"},
-                                {"bad-empty.dump", "holds no frame"}};
+const std::vector<Dump> refused{
+    {"bad-gzip.dump.gz", "compressed (gzip)"},
+    {"bad-binary.dump", "is binary"},
+    {"bad-utf16.dump", "UTF-16"},
+    {"bad-escape.dump", "\\x1b]0;owned\\x07"},
+    {"bad-decimal-comma.dump", "decimal comma"},
+    {"bad-fortran-d.dump", "Fortran's D"},
+    {"bad-float-ids.dump", "'1.0' in column id is not a whole number"},
+    {"bad-step-overflow.dump", "'99999999999999999999' is not a step"},
+    {"bad-negative-steps.dump", "frame at step -100 comes before step 0"},
+    {"bad-nan.dump", "is not finite"},
+    {"bad-dup-id.dump", "id 1 appears twice"},
+    {"bad-lost-atom.dump", "holds 1 atoms, 2 expected"},
+    {"bad-restart-repeat.dump", "frames overlap"},
+    {"bad-two-bounds.dump", "out of place"},
+    {"bad-truncated-number.dump", "ends in the middle"},
+    {"bad-no-newline.dump", "ends in the middle"},
+    {"bad-blank-end.dump", "a blank line is out of place"},
+    {"bad-empty.dump", "holds no frame"}};
 
 const std::vector<std::string> accepted{
     "ok-plain.dump",     "ok-columns.dump",    "ok-crlf.dump",      "ok-tabs.dump",
@@ -70,19 +71,19 @@ BOOST_AUTO_TEST_CASE(every_dump_of_the_folder_is_played) {
 }
 
 BOOST_DATA_TEST_CASE(a_bad_dump_is_bad_input, data::make(refused), dump) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     check_refused(read(program, inputs + "dumps/" + dump.file), {dump.file, dump.words});
 }
 
 BOOST_DATA_TEST_CASE(an_unusual_dump_is_read, data::make(accepted), dump) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     const auto answer = read(program, inputs + "dumps/" + dump);
     BOOST_TEST(answer.status == 0, answer.err);
     BOOST_TEST(answer.error_lines() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_dump_may_have_any_file_name) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     const std::string path = program.directory() / "b\xe4se\x1b[2J.dump";
     fs::copy_file(inputs + "dumps/ok-plain.dump", path);
     const auto answer = read(program, path, {"--json"});
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_dump_may_have_any_file_name) {
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_end_is_refused) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     check_refused(read(program, "/dev/zero"), {"device"});
     check_refused(read(program, inputs), {"directory"});
     const auto pipe = program.directory() / "pipe";
@@ -115,7 +116,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_end_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_dump_may_come_through_a_pipe) {
-    const Program program = limited_program();
+    const LimitedProgram program;
     const auto pipe = program.directory() / "pipe";
     BOOST_TEST_REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
     const std::jthread writer(

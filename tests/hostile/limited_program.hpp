@@ -13,15 +13,15 @@
 namespace crossgrain::tests {
 
 /// A minute and 2 GiB of address space; sanitizers reserve more by themselves.
-inline Program limited_program() {
-    Program program;
-    program.launcher = {"timeout", "60"};
+class LimitedProgram : public Program {
+  public:
+    LimitedProgram() {
+        launcher = {"timeout", "60"};
 #ifndef __SANITIZE_ADDRESS__
-    program.launcher.insert(program.launcher.end(),
-                            {"sh", "-c", "ulimit -v 2097152; exec \"$@\"", "sh"});
+        launcher.insert(launcher.end(), {"sh", "-c", "ulimit -v 2097152; exec \"$@\"", "sh"});
 #endif
-    return program;
-}
+    }
+};
 
 /// Exit code 2 and one error line that has all of the words and could be shown anywhere.
 inline void check_refused(const Answer& answer, const std::vector<std::string>& words) {

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(replicas_are_counted_without_overflow) {
     BOOST_TEST(refusal_with(usual, "replicas = { default = 4611686018427387904 }").key ==
                "replicas.default");
     const auto e = refusal_with(usual, "replicas = { default = 100000 }\n"
-                                       "replicas_in = { \"*\" = 100000, \"?*\" = 3 }");
+                                       "replicas_in = { \"*\" = 100000, \"**\" = 100000 }");
     BOOST_TEST(e.key == "replicas");
     BOOST_TEST(e.problem == "makes too many runs");
     BOOST_CHECK_NO_THROW(load(replaced(case_text, usual, "replicas = { default = 100000 }")));

@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(overlapping_frames_are_refused) {
 BOOST_AUTO_TEST_CASE(frames_of_another_schedule_are_told_from_overlaps) {
     const auto s = scene_of_three();
     BOOST_TEST(says(answer(s, {0, 5}), "frame at step 5 lies between steps 0 and 10"));
-    BOOST_TEST(says(answer(s, {-100}), "the first frame is at step -100, not at step 0"));
+    BOOST_TEST(says(answer(s, {-100}), "frame at step -100 comes before step 0"));
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_frame_is_refused) {
