@@ -3,6 +3,7 @@
 #include "adapters/process/scratch_directory.hpp"
 #include "app/catalogue/catalogue.hpp"
 #include "app/digest.hpp"
+#include "app/output.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/errors.hpp"
@@ -73,8 +74,7 @@ std::optional<InitialState> read_state(const fs::path& file, std::size_t grains)
         state.y = positions(json, "y", grains);
         return state;
     } catch (const std::invalid_argument& error) {
-        fmt::print(stderr,
-                   "warning: the prepared state in {} cannot be used ({}) and is made again\n",
+        print_note("warning: the prepared state in {} cannot be used ({}) and is made again",
                    printable(file.string(), longest_path), printable(error.what()));
         return std::nullopt;
     }

@@ -1,6 +1,7 @@
 #include "adapters/lammps_family/family_script.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <variant>
 #include <vector>
@@ -9,8 +10,8 @@ namespace crossgrain::adapters::lammps_family {
 
 namespace {
 
-/// Searched and kept in order without bins: in the open they may fly far apart, and bins over all
-/// that space would fill the memory.
+/// Searched without bins: in the open they may fly far apart, and bins over all that space would
+/// fill the memory.
 bool has_few_grains(const scene::Scene& scene) {
     constexpr std::size_t few = 64;
     return scene.grain_count() <= few;
@@ -20,25 +21,40 @@ double skin(const scene::Scene& scene) {
     return scene.skin.value_or(scene.grains.diameter / 4);
 }
 
-double extent(const std::optional<double>& period, const std::vector<double>& values) {
-    if (period || values.empty()) return period.value_or(0);
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return *high - *low;
+constexpr double most_bins = 1e8;
+
+/// Bins of the neighbour search along one axis, when grains move by `travel` at most.
+double bins_along(const scene::Scene& scene, const std::optional<double>& period,
+                  const std::vector<double>& positions, double travel) {
+    double length = period.value_or(0);
+    if (!period && !positions.empty()) {
+        const auto [low, high] = std::minmax_element(positions.begin(), positions.end());
+        length = *high - *low + 2 * travel;
+    }
+    return 2 * length / (scene.grains.diameter + skin(scene)) + 1;
+}
+
+double bins(const scene::Scene& scene, double travel) {
+    return bins_along(scene, scene.periodic_x, scene.initial.x, travel) *
+           bins_along(scene, scene.periodic_y, scene.initial.y, travel);
+}
+
+/// In free flight; forces change it little where grains are so far apart that it matters.
+double travel(const scene::Scene& scene) {
+    double fastest = 0;
+    for (std::size_t i = 0; i < scene.grain_count(); ++i)
+        fastest = std::max(fastest, std::hypot(scene.initial.vx[i], scene.initial.vy[i]));
+    return fastest * scene.dt * static_cast<double>(scene.steps);
 }
 
 }  // namespace
 
 std::optional<std::string> too_far_apart(const scene::Scene& scene) {
-    if (has_few_grains(scene)) return std::nullopt;
-    constexpr double most = 1e8;
-    const double bin = (scene.grains.diameter + skin(scene)) / 2;
-    const double bins = (extent(scene.periodic_x, scene.initial.x) / bin + 1) *
-                        (extent(scene.periodic_y, scene.initial.y) / bin + 1);
-    if (bins <= most) return std::nullopt;
+    if (has_few_grains(scene) || bins(scene, 0) <= most_bins) return std::nullopt;
     return fmt::format(
         "the neighbour search would need {:.3g} bins over the whole scene, more than "
         "{:g} (grains that are nearer to each other would be expressible)",
-        bins, most);
+        bins(scene, 0), most_bins);
 }
 
 bool has_tangential_dashpot(const scene::ContactLaw& law) {
@@ -65,7 +81,8 @@ void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocitie
     line("atom_style {}", atom_style);
     if (types_.lid > 0) line("atom_modify map array");
     const bool few = has_few_grains(scene_);
-    if (few) line("atom_modify sort 0 0.0");
+    // Atoms are sorted by bins as well, which so few do not need.
+    if (few && bins(scene_, travel(scene_)) > most_bins) line("atom_modify sort 0 0.0");
     line("newton off");
     line("{}", ghost_velocities);
     line("neighbor {:.17g} {}", skin(scene_), few ? "nsq" : "bin");

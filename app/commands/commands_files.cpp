@@ -162,6 +162,7 @@ int read_dump(const Settings& settings, const ReadRequest& request) {
     }
     if (!failed) return exit_code(report, settings);
     // Not a run of ours that failed: the dump is bad input.
+    flush_results();
     print_note("error: {}", report.cases.front().runs.records().front().reason);
     return exit_usage;
 }

@@ -36,14 +36,15 @@ std::string reading_file(const TomlTable& t, const std::string& readings) {
     namespace fs = std::filesystem;
     const std::string given = t.text("reading");
     fs::path path;
+    std::error_code ignored;  // a name may be longer than any file's
     if (given.find('/') != std::string::npos || given.ends_with(".toml")) {
         path = fs::path(t.file()).parent_path() / given;
-        if (fs::is_regular_file(path)) return path.string();
+        if (fs::is_regular_file(path, ignored)) return path.string();
         throw t.error("reading", "cannot be read", fmt::format("\"{}\"", given),
                       "a TOML file, by its path from the case file");
     }
     path = fs::path(readings) / (given + ".toml");
-    if (fs::is_regular_file(path)) return path.string();
+    if (fs::is_regular_file(path, ignored)) return path.string();
     const auto names = shipped_readings(readings);
     const auto near = toml_input::nearest(given, names);
     throw t.error(

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 namespace crossgrain::scene {
@@ -181,7 +182,19 @@ void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
     scene.steps = intervals * scene.frame_every;
 }
 
+/// No longer than grains may be apart.
+void check_period(const TomlTable& t, const char* key, const std::optional<double>& period,
+                  double diameter) {
+    const double most = 2 * farthest * diameter;
+    if (!period || *period <= most) return;
+    throw t.error(key, "is too long", fmt::format("{:g}", *period),
+                  fmt::format("at most {:g} diameters, {:g}", 2 * farthest, most),
+                  "leave it out for a scene that is open");
+}
+
 void check_consistency(const TomlTable& t, const Scene& scene) {
+    check_period(t, "periodic_x", scene.periodic_x, scene.grains.diameter);
+    check_period(t, "periodic_y", scene.periodic_y, scene.grains.diameter);
     const bool has_plate =
         scene.plates.bottom || !std::holds_alternative<std::monostate>(scene.plates.lid);
     if (scene.periodic_y && has_plate) {

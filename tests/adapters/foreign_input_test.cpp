@@ -54,6 +54,12 @@ BOOST_AUTO_TEST_CASE(many_grains_far_apart_are_not_expressible_by_bins) {
     add_grain(scene, 1e7, 1e7, 0, 0);
     for (const auto& code : codes)
         BOOST_TEST(!code->cannot_express(scene).has_value(), code->name());
+    for (const std::size_t family : {0, 1}) {
+        BOOST_TEST(whole_input(*codes[family], scene).find("atom_modify sort 0") !=
+                   std::string::npos);
+        BOOST_TEST(whole_input(*codes[family], head_on_pair()).find("atom_modify") ==
+                   std::string::npos);
+    }
     for (int i = 0; i < 100; ++i)
         add_grain(scene, 100.0 * i, 1000, 0, 0);
     for (const auto& code : {std::cref(*codes[0]), std::cref(*codes[1])}) {
