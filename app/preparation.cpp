@@ -4,11 +4,11 @@
 #include "app/catalogue/catalogue.hpp"
 #include "app/digest.hpp"
 #include "app/output.hpp"
+#include "app/prepared_state.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
-#include "reports/store/bounded_json.hpp"
 #include "reports/store/run_claim.hpp"
 
 #include <fmt/format.h>
@@ -43,36 +43,13 @@ Scene preparatory_run(const Scene& given) {
     return start;
 }
 
-/// One place for each grain. Throws std::invalid_argument otherwise.
-std::vector<double> positions(const nlohmann::json& state, const char* axis, std::size_t grains) {
-    const auto found = state.find(axis);
-    if (found == state.end() || !found->is_array() || found->size() != grains) {
-        throw std::invalid_argument(
-            fmt::format("'{}' are not the places of {} grains", axis, grains));
-    }
-    std::vector<double> values;
-    values.reserve(grains);
-    for (const auto& value : *found) {
-        if (!value.is_number() || !std::isfinite(value.get<double>())) {
-            throw std::invalid_argument(fmt::format("'{}' holds what is no finite number", axis));
-        }
-        values.push_back(value.get<double>());
-    }
-    return values;
-}
-
 /// A state that is not whole counts as absent, which is said: it is made again.
 std::optional<InitialState> read_state(const fs::path& file, std::size_t grains) {
     std::ifstream in(file, std::ios::binary);
     if (!in) return std::nullopt;
     const std::string text(std::istreambuf_iterator<char>(in), {});
     try {
-        const nlohmann::json json = store::bounded_json(text);
-        if (!json.is_object()) throw std::invalid_argument("no JSON object");
-        InitialState state;
-        state.x = positions(json, "x", grains);
-        state.y = positions(json, "y", grains);
-        return state;
+        return state_from(text, grains);
     } catch (const std::invalid_argument& error) {
         print_note("warning: the prepared state in {} cannot be used ({}) and is made again",
                    printable(file.string(), longest_path), printable(error.what()));
@@ -84,8 +61,7 @@ std::optional<InitialState> read_state(const fs::path& file, std::size_t grains)
 void write_state(const fs::path& file, const InitialState& state, double speed) {
     const fs::path unfinished = file.string() + ".part";  // under a claim: nobody else's
     std::ofstream out(unfinished);
-    // A number of nlohmann::json reads back to the same bits.
-    out << nlohmann::json{{"rms_speed", speed}, {"x", state.x}, {"y", state.y}}.dump() << '\n';
+    out << text_of(state, speed);
     out.close();
     if (!out) {
         throw CaseError({.file = unfinished.string(),
