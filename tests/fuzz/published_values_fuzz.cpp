@@ -10,7 +10,6 @@ using namespace crossgrain;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const tests::TemporaryDirectory directory;
-    std::ofstream(directory.path() / "paper.toml", std::ios::binary)
-        << tests::text_of(data, size);
+    std::ofstream(directory.path() / "paper.toml", std::ios::binary) << tests::text_of(data, size);
     return tests::refuses_or_reads([] { (void)published::PublishedValues(directory.path()); });
 }
