@@ -1,7 +1,7 @@
 #include "app/plan.hpp"
 
-#include "app/digest.hpp"
 #include "app/model_runs.hpp"
+#include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
 
 #include <fmt/format.h>

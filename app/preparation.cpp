@@ -2,11 +2,11 @@
 
 #include "adapters/process/scratch_directory.hpp"
 #include "app/catalogue/catalogue.hpp"
-#include "app/digest.hpp"
 #include "app/output.hpp"
 #include "app/prepared_state.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/scene_json.hpp"
+#include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
 #include "reports/store/run_claim.hpp"

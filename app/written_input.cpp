@@ -1,6 +1,6 @@
 #include "app/written_input.hpp"
 
-#include "app/digest.hpp"
+#include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/file_stem.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/chart/chart_document.hpp"
 
-#include "app/digest.hpp"
 #include "app/text_table.hpp"
+#include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/file_stem.hpp"
 #include "reports/web/csv.hpp"

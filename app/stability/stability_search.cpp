@@ -1,8 +1,8 @@
 #include "app/stability/stability_search.hpp"
 
 #include "adapters/process/scratch_directory.hpp"
-#include "app/digest.hpp"
 #include "app/progress.hpp"
+#include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
 
 #include <fmt/format.h>
