@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -41,6 +43,20 @@ std::vector<std::string> environment_with(const std::vector<std::string>& extra)
     return result;
 }
 
+constexpr const char* temporary_name = "tmp";
+
+/// What the command adds to the environment. Whatever the program leaves in the directory for
+/// temporary files goes with its run.
+std::vector<std::string> additions_of(const Command& command, const fs::path& directory) {
+    std::vector<std::string> added = command.extra_environment;
+    for (const std::string name : {"TMPDIR=", "TMP=", "TEMP="}) {
+        const bool given = std::ranges::any_of(
+            command.extra_environment, [&](const auto& text) { return text.starts_with(name); });
+        if (!given) added.push_back(name + (directory / temporary_name).string());
+    }
+    return added;
+}
+
 ChildSetup setup_of(const Command& command) {
     if (command.argv.empty() || !(command.time_limit > 0)) {
         throw std::invalid_argument("a command needs a program and a time limit > 0");
@@ -53,12 +69,22 @@ ChildSetup setup_of(const Command& command) {
     if (!fs::is_directory(directory)) {
         throw std::system_error(ENOTDIR, std::generic_category(), directory.string());
     }
+    fs::create_directory(directory / temporary_name);
     return {.program = *program,
             .argv = command.argv,
             .directory = directory,
-            .environment = environment_with(command.extra_environment),
+            .environment = environment_with(additions_of(command, directory)),
             .stdout_file = directory / "stdout.txt",
-            .stderr_file = directory / "stderr.txt"};
+            .stderr_file = directory / "stderr.txt",
+            .largest_file = command.largest_file};
+}
+
+std::string size_text(std::uint64_t bytes) {
+    constexpr std::array units{"bytes", "KiB", "MiB", "GiB"};
+    std::size_t unit = 0;
+    for (; bytes % 1024 == 0 && bytes > 0 && unit + 1 < units.size(); ++unit)
+        bytes /= 1024;
+    return fmt::format("{} {}", bytes, units[unit]);
 }
 
 /// One run, from its start on.
@@ -75,6 +101,9 @@ class Supervisor {
                 ending = Ending::stopped;
             } else if (Clock::now() >= limit_) {
                 ending = Ending::time_limit;
+            } else if (has_filled_a_log()) {
+                // Of no use any more, even if it goes on in spite of its failing writes.
+                ending = Ending::too_much_output;
             }
             if (ending != Ending::exited) {
                 end_group();
@@ -83,8 +112,7 @@ class Supervisor {
             wait_for_news();
             deliver();
         }
-        // The rest of the group goes before the pipe is emptied, so that this comes to an end.
-        child_.signal_group(SIGKILL);
+        // Nobody writes any more, so that this comes to an end.
         while (ending == Ending::exited && deliver()) {
             if (Clock::now() >= limit_) ending = Ending::time_limit;
         }
@@ -121,12 +149,19 @@ class Supervisor {
         return true;
     }
 
+    [[nodiscard]] bool has_filled_a_log() const {
+        return std::ranges::any_of(std::array{&setup_.stdout_file, &setup_.stderr_file},
+                                   [&](const fs::path* log) {
+                                       std::error_code error;
+                                       const auto size = fs::file_size(*log, error);
+                                       return !error && size > command_.largest_log;
+                                   });
+    }
+
     /// SIGTERM, then time to end in an orderly way. The pipe is emptied meanwhile: a program that
     /// waits for us to read could not end.
     void end_group() {
-        child_.signal_group(SIGTERM);
-        // Somebody who is suspended would not even hear of it.
-        child_.signal_group(SIGCONT);
+        child_.ask_to_end();
         const auto until = Clock::now() + grace;
         while (!child_.has_ended() && Clock::now() < until) {
             wait_for_news();
@@ -136,13 +171,21 @@ class Supervisor {
 
     Result result(Ending ending) {
         const Reaped reaped = child_.reap();
-        if (ending == Ending::exited && reaped.signalled) ending = Ending::signalled;
+        const bool filled_a_log = has_filled_a_log();
+        const bool filled_a_file = reaped.signalled && reaped.status == SIGXFSZ;
+        if (ending == Ending::exited) {
+            if (reaped.signalled) ending = Ending::signalled;
+            if (filled_a_log || filled_a_file) ending = Ending::too_much_output;
+        }
+        std::error_code ignored;  // goes with the directory then
+        fs::remove_all(setup_.directory / temporary_name, ignored);
         return {.ending = ending,
                 .status = reaped.status,
                 .cpu_s = reaped.cpu_s,
                 .wall_s = std::chrono::duration<double>(Clock::now() - start_).count(),
                 .stdout_file = setup_.stdout_file,
-                .stderr_file = setup_.stderr_file};
+                .stderr_file = setup_.stderr_file,
+                .exceeded = filled_a_log ? command_.largest_log : command_.largest_file};
     }
 
     const Command& command_;
@@ -169,6 +212,9 @@ std::string describe(const Result& result, double time_limit) {
         return fmt::format("killed at the time limit of {:g} s", time_limit);
     case Ending::stopped:
         return "stopped";
+    case Ending::too_much_output:
+        return fmt::format("ended because it wrote more than {} to its standard output or a file",
+                           size_text(result.exceeded));
     }
     return {};
 }

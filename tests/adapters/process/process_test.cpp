@@ -2,6 +2,7 @@
 #include "adapters/process/find_program.hpp"
 #include "adapters/process/log_file.hpp"
 #include "adapters/process/process.hpp"
+#include "adapters/process/question.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -239,7 +240,9 @@ BOOST_AUTO_TEST_CASE(program_not_on_path) {
     BOOST_CHECK_EXCEPTION((void)process::run(command), std::system_error,
                           [](const auto& error) { return error.code().value() == ENOENT; });
     BOOST_TEST(!process::find_program("crossgrain-no-such-program"));
-    BOOST_TEST(!process::output_of({"crossgrain-no-such-program", "-h"}, 1));
+    BOOST_CHECK_EXCEPTION(
+        (void)process::ask({.argv = {"crossgrain-no-such-program", "-h"}, .time_limit = 1}),
+        std::system_error, [](const auto& error) { return error.code().value() == ENOENT; });
 }
 
 BOOST_AUTO_TEST_CASE(bad_commands_are_refused) {
@@ -259,9 +262,21 @@ BOOST_AUTO_TEST_CASE(programs_are_found) {
     BOOST_TEST(shell_path->is_absolute());
     BOOST_TEST((process::find_program(shell_path->string()) == shell_path));
     BOOST_TEST(!process::find_program("/etc/passwd"));
-    BOOST_TEST(process::output_of({"sh", "-c", "echo out; echo err >&2; exit 1"}, 5).value() ==
-               "out\nerr\n");
-    BOOST_TEST(!process::output_of({"sh", "-c", "sleep 60"}, 0.2));
+}
+
+BOOST_AUTO_TEST_CASE(answer_of_a_program) {
+    const auto ask = [](const std::string& script, double time_limit) {
+        return process::ask({.argv = {"sh", "-c", script}, .time_limit = time_limit});
+    };
+    const auto answer = ask("echo out; echo err >&2; exit 1", 5);
+    BOOST_TEST(answer.out == "out\n");
+    BOOST_TEST(answer.err == "err\n");
+    BOOST_TEST(answer.ended == "exit status 1");
+    BOOST_TEST(ask("kill -SEGV $$", 5).ended == "killed by signal 11");
+    BOOST_TEST((ask("sleep 60", 0.2).ending == Ending::time_limit));
+    const auto flood = ask("yes", 20);
+    BOOST_TEST((flood.ending == Ending::too_much_output));
+    BOOST_TEST(flood.out.size() == process::longest_answer);
 }
 
 BOOST_AUTO_TEST_CASE(tail_of_a_file) {
