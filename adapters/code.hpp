@@ -18,6 +18,10 @@ struct Availability {
     bool installed = false;
     std::string version;  ///< as the program itself reports it
     std::string reason;   ///< why it is not installed, e.g. "no 'lmp' on PATH"
+    std::string program;  ///< path of the executable, links followed; empty for our own engines
+    /// SHA-256 over the executable and all that it loads; empty for our own engines, which the
+    /// digest of the sources stands for.
+    std::string digest;
 };
 
 /// One file of a code's input, by its name in the run's directory.
@@ -45,7 +49,8 @@ class Code {
     virtual ~Code() = default;
 
     [[nodiscard]] virtual std::string name() const = 0;
-    [[nodiscard]] virtual Availability probe() const = 0;
+    /// Throws Interrupted on a stop request.
+    [[nodiscard]] virtual Availability probe(std::stop_token stop = {}) const = 0;
     /// What it can express, in the scene's own words, for `crossgrain codes`.
     [[nodiscard]] virtual std::vector<std::string> features() const = 0;
 };

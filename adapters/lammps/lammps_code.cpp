@@ -15,11 +15,13 @@ namespace {
 using lammps_family::disc_inertia;
 using lammps_family::sphere_inertia;
 
-/// "29 Sep 2021 - Update 2" from the help's "Large-scale ... Simulator - 29 Sep 2021 - Update 2".
-std::string version_in(const std::string& help) {
+/// "29 Sep 2021 - Update 2" from the help's "Large-scale ... Simulator - 29 Sep 2021 - Update 2";
+/// nothing if the text is something else.
+std::optional<std::string> version_in(const std::string& help) {
     const auto line = line_starting_with(help, "Large-scale");
     const std::size_t start = line ? line->find(" - ") : std::string::npos;
-    return start == std::string::npos ? "unknown version" : line->substr(start + 3);
+    if (start == std::string::npos || start + 3 >= line->size()) return std::nullopt;
+    return line->substr(start + 3);
 }
 
 /// Why no pair style follows contacts as the scene says, or nothing.
@@ -76,10 +78,14 @@ std::vector<std::string> LammpsCode::version_arguments() const {
 }
 
 Availability LammpsCode::availability_from(const std::string& help) const {
+    const auto version = version_in(help);
+    if (!version) {
+        return {.reason = fmt::format("'{} -h' does not name a version of LAMMPS", program())};
+    }
     if (help.find("granular") == std::string::npos) {
         return {.reason = fmt::format("'{}' is built without pair style granular", program())};
     }
-    return {.installed = true, .version = version_in(help)};
+    return {.installed = true, .version = *version};
 }
 
 std::vector<std::string> LammpsCode::features() const {

@@ -13,14 +13,17 @@ namespace crossgrain::adapters {
 
 namespace {
 
-/// "3.8.0" from the help's "LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0, compiled ...".
-std::string version_in(const std::string& help) {
-    constexpr std::string_view mark = "(Version ";
+/// "3.8.0" from the help's "LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0, compiled ..."; nothing if the
+/// text is something else.
+std::optional<std::string> version_in(const std::string& help) {
+    constexpr std::string_view mark = "LIGGGHTS (Version ";
     const std::size_t start = help.find(mark);
-    if (start == std::string::npos) return "unknown version";
+    if (start == std::string::npos) return std::nullopt;
     const std::size_t end = help.find_first_of(",)\n", start);
-    const std::string version = help.substr(start + mark.size(), end - start - mark.size());
-    return version.substr(version.rfind(' ') + 1);
+    std::string version = help.substr(start + mark.size(), end - start - mark.size());
+    version.erase(0, version.rfind(' ') + 1);
+    if (version.empty()) return std::nullopt;
+    return version;
 }
 
 /// Why fix nve/sphere cannot turn the grains of this scene, or nothing.
@@ -41,7 +44,8 @@ std::vector<std::string> LiggghtsCode::version_arguments() const {
 }
 
 Availability LiggghtsCode::availability_from(const std::string& help) const {
-    return {.installed = true, .version = version_in(help)};
+    if (const auto version = version_in(help)) return {.installed = true, .version = *version};
+    return {.reason = fmt::format("'{} -h' does not name a version of LIGGGHTS", program())};
 }
 
 std::vector<std::string> LiggghtsCode::features() const {

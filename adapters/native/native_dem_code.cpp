@@ -153,7 +153,7 @@ void stream_frames(const scene::Scene& scene, const Supervisor& supervisor,
 
 NativeDemCode::NativeDemCode(std::string version) : version_(std::move(version)) {}
 
-Availability NativeDemCode::probe() const {
+Availability NativeDemCode::probe(std::stop_token /*stop*/) const {
     return {.installed = true, .version = version_, .reason = {}};
 }
 

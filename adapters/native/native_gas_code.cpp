@@ -139,7 +139,7 @@ class Run {
 
 NativeGasCode::NativeGasCode(std::string version) : version_(std::move(version)) {}
 
-Availability NativeGasCode::probe() const {
+Availability NativeGasCode::probe(std::stop_token /*stop*/) const {
     return {.installed = true, .version = version_, .reason = {}};
 }
 

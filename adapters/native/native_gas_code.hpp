@@ -11,7 +11,7 @@ class NativeGasCode final : public GasCode {
     explicit NativeGasCode(std::string version);
 
     [[nodiscard]] std::string name() const override { return "native-lga"; }
-    [[nodiscard]] Availability probe() const override;
+    [[nodiscard]] Availability probe(std::stop_token = {}) const override;
     [[nodiscard]] std::vector<std::string> features() const override;
     [[nodiscard]] std::optional<std::string>
     cannot_express(const scene::LatticeGas& scene) const override;

@@ -131,7 +131,7 @@ class Replica {
 
 NativeHopperCode::NativeHopperCode(std::string version) : version_(std::move(version)) {}
 
-Availability NativeHopperCode::probe() const {
+Availability NativeHopperCode::probe(std::stop_token /*stop*/) const {
     return {.installed = true, .version = version_, .reason = {}};
 }
 

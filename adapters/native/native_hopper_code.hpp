@@ -11,7 +11,7 @@ class NativeHopperCode final : public HopperCode {
     explicit NativeHopperCode(std::string version);
 
     [[nodiscard]] std::string name() const override { return "native-hopper"; }
-    [[nodiscard]] Availability probe() const override;
+    [[nodiscard]] Availability probe(std::stop_token = {}) const override;
     [[nodiscard]] std::vector<std::string> features() const override;
     /// What the engine refuses (native/hopper/parameters.hpp, check()).
     [[nodiscard]] std::optional<std::string>

@@ -3,6 +3,9 @@
 #include "adapters/process/find_program.hpp"
 #include "adapters/process/log_file.hpp"
 #include "adapters/process/process.hpp"
+#include "adapters/process/program_identity.hpp"
+#include "adapters/process/question.hpp"
+#include "adapters/program/answer_judge.hpp"
 #include "adapters/program/trajectory_stream.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
@@ -95,6 +98,7 @@ void judge(const process::Result& result, const std::optional<std::string>& erro
                                   trajectory.frames()),
                       exit);
     }
+    if (result.ending == process::Ending::too_much_output) throw failure(exit, exit);
     if (error_text) throw failure(*error_text, exit);
     if (result.ending == process::Ending::signalled || result.status != 0) {
         throw failure(exit + ", without an error message", exit);
@@ -104,6 +108,13 @@ void judge(const process::Result& result, const std::optional<std::string>& erro
     } catch (const TrajectoryError& error) {
         throw failure(error.what(), exit);
     }
+}
+
+constexpr double longest_question_s = 30;
+
+Availability unusable(const std::string& reason) {
+    constexpr std::size_t longest = 1000;
+    return {.reason = printable(reason, longest)};
 }
 
 }  // namespace
@@ -120,22 +131,43 @@ std::optional<std::string> ProgramCode::why_missing() const {
     return fmt::format("no '{}' on PATH", program_);
 }
 
-Availability ProgramCode::probe() const {
+Availability ProgramCode::probe(std::stop_token stop) const {
     const std::scoped_lock lock(mutex_);
-    if (!availability_) availability_ = ask();
+    if (!availability_) availability_ = ask(std::move(stop));
     return *availability_;
 }
 
-Availability ProgramCode::ask() const {
-    constexpr double time_limit = 30;
+Availability ProgramCode::ask(std::stop_token stop) const {
     if (auto reason = why_missing()) return {.reason = std::move(*reason)};
-    const auto question = command_line(version_arguments());
-    const auto answer = process::output_of(question, time_limit);
-    if (!answer) return {.reason = fmt::format("'{}' does not run", fmt::join(question, " "))};
-    auto available = availability_from(*answer);
-    available.version = printable(available.version);
-    available.reason = printable(available.reason);
-    return available;
+    const process::Question question{.argv = command_line(version_arguments()),
+                                     .extra_environment = environment(),
+                                     .time_limit = longest_question_s,
+                                     .stop = stop};
+    const std::string command = fmt::format("'{}'", fmt::join(question.argv, " "));
+    try {
+        const process::Answer answer = process::ask(question);
+        if (answer.ending == process::Ending::stopped) throw Interrupted();
+        if (const auto reason = why_no_answer(answer)) {
+            return unusable(fmt::format("{} {}", command, *reason));
+        }
+        Availability found = availability_from(answer.out + answer.err);
+        if (!found.installed) return unusable(found.reason + last_words(answer));
+        found.version = printable(found.version);
+        identify(found, stop);
+        return found;
+    } catch (const std::system_error& error) {
+        return unusable(fmt::format("{} does not run: {}", command, error.what()));
+    }
+}
+
+void ProgramCode::identify(Availability& found, const std::stop_token& stop) const {
+    const fs::path executable = fs::canonical(process::find_program(program_).value());
+    const auto identity = process::identify({.program = executable,
+                                             .further_files = further_files(executable),
+                                             .extra_environment = environment()},
+                                            stop);
+    found.program = identity.program.string();
+    found.digest = identity.digest;
 }
 
 RunCost ProgramCode::run(const scene::Scene& scene, const RunOptions& options,

@@ -6,8 +6,10 @@
 
 #include "adapters/code.hpp"
 
+#include <filesystem>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,9 @@ class ProgramCode : public GrainCode {
     /// `program`: name on PATH or path of the executable.
     explicit ProgramCode(std::string program);
 
-    /// Asks the program once per object.
-    [[nodiscard]] Availability probe() const final;
+    /// Asks the program once per object. Throws Interrupted on a stop request, CaseError if there
+    /// is no directory for temporary files.
+    [[nodiscard]] Availability probe(std::stop_token stop = {}) const final;
     RunCost run(const scene::Scene& scene, const RunOptions& options,
                 const scene::FrameSink& sink) const final;
 
@@ -31,8 +34,16 @@ class ProgramCode : public GrainCode {
 
     /// With these arguments the program says what it is and ends, e.g. {"--version"}.
     [[nodiscard]] virtual std::vector<std::string> version_arguments() const = 0;
-    /// What that answer means: installed in this version, or of no use for this reason.
+    /// What that answer means: installed in this version, or of no use for this reason, e.g.
+    /// because it names no version.
     [[nodiscard]] virtual Availability availability_from(const std::string& answer) const = 0;
+    /// What decides its results besides the executable and the libraries that this loads: modules
+    /// of a script, plug-ins. `executable`: absolute, links followed.
+    [[nodiscard]] virtual std::vector<std::filesystem::path>
+    further_files(const std::filesystem::path& executable) const {
+        (void)executable;
+        return {};
+    }
     /// Arguments of a run, which takes place in the directory that holds `input(scene)`.
     [[nodiscard]] virtual std::vector<std::string> run_arguments() const = 0;
     [[nodiscard]] virtual std::vector<std::string> environment() const { return {}; }
@@ -46,7 +57,8 @@ class ProgramCode : public GrainCode {
     /// The program, then its arguments.
     [[nodiscard]] std::vector<std::string> command_line(std::vector<std::string> arguments) const;
     [[nodiscard]] std::optional<std::string> why_missing() const;
-    [[nodiscard]] Availability ask() const;
+    [[nodiscard]] Availability ask(std::stop_token stop) const;
+    void identify(Availability& found, const std::stop_token& stop) const;
 
     std::string program_;
     mutable std::mutex mutex_;

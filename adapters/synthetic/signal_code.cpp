@@ -103,7 +103,7 @@ class Counts {
 
 SyntheticSignalCode::SyntheticSignalCode(std::string version) : version_(std::move(version)) {}
 
-Availability SyntheticSignalCode::probe() const {
+Availability SyntheticSignalCode::probe(std::stop_token /*stop*/) const {
     return {.installed = true, .version = version_, .reason = {}};
 }
 

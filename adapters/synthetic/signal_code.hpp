@@ -14,7 +14,7 @@ class SyntheticSignalCode final : public SignalCode {
     explicit SyntheticSignalCode(std::string version);
 
     [[nodiscard]] std::string name() const override { return "synthetic"; }
-    [[nodiscard]] Availability probe() const override;
+    [[nodiscard]] Availability probe(std::stop_token = {}) const override;
     [[nodiscard]] std::vector<std::string> features() const override;
     [[nodiscard]] std::optional<std::string>
     cannot_express(const scene::SyntheticSignal& signal) const override;

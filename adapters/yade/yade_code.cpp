@@ -3,6 +3,7 @@
 #include "adapters/program/error_line.hpp"
 #include "adapters/program/native_choice.hpp"
 #include "adapters/program/own_conventions.hpp"
+#include "adapters/yade/module_files.hpp"
 #include "adapters/yade/scene_script.hpp"
 #include "adapters/yade/yade_errors.hpp"
 #include "cases/scene/scene_json.hpp"
@@ -24,7 +25,7 @@ constexpr const char* script_name = "scene.py";
 std::optional<std::string> version_in(const std::string& text) {
     constexpr std::string_view mark = "Yade version: ";
     const auto line = line_starting_with(text, mark);
-    if (!line) return std::nullopt;
+    if (!line || line->size() == mark.size()) return std::nullopt;
     return line->substr(mark.size());
 }
 
@@ -75,6 +76,11 @@ std::vector<std::string> YadeCode::version_arguments() const {
 Availability YadeCode::availability_from(const std::string& answer) const {
     if (const auto version = version_in(answer)) return {.installed = true, .version = *version};
     return {.reason = fmt::format("'{} --version' does not name a version of YADE", program())};
+}
+
+std::vector<std::filesystem::path>
+YadeCode::further_files(const std::filesystem::path& executable) const {
+    return yade::module_files(executable);
 }
 
 std::vector<std::string> YadeCode::features() const {

@@ -4,6 +4,7 @@
 
 #include "adapters/program/program_code.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +28,8 @@ class YadeCode final : public ProgramCode {
   protected:
     [[nodiscard]] std::vector<std::string> version_arguments() const override;
     [[nodiscard]] Availability availability_from(const std::string& answer) const override;
+    [[nodiscard]] std::vector<std::filesystem::path>
+    further_files(const std::filesystem::path& executable) const override;
     [[nodiscard]] std::vector<std::string> run_arguments() const override;
     [[nodiscard]] std::vector<std::string> environment() const override;
     [[nodiscard]] std::optional<std::string>

@@ -66,7 +66,9 @@ class DefectiveCode final : public adapters::GrainCode {
         : code_(code), plant_(std::move(plant)) {}
 
     [[nodiscard]] std::string name() const override { return code_.name(); }
-    [[nodiscard]] adapters::Availability probe() const override { return code_.probe(); }
+    [[nodiscard]] adapters::Availability probe(std::stop_token = {}) const override {
+        return code_.probe();
+    }
     [[nodiscard]] std::vector<std::string> features() const override { return code_.features(); }
     [[nodiscard]] std::optional<std::string> cannot_express(const Scene& scene) const override {
         return code_.cannot_express(changed(scene));

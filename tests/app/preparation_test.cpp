@@ -27,7 +27,9 @@ namespace {
 class SinkingEngine final : public adapters::GrainCode {
   public:
     [[nodiscard]] std::string name() const override { return "sinking"; }
-    [[nodiscard]] adapters::Availability probe() const override { return {.installed = true}; }
+    [[nodiscard]] adapters::Availability probe(std::stop_token = {}) const override {
+        return {.installed = true};
+    }
     [[nodiscard]] std::vector<std::string> features() const override { return {}; }
     [[nodiscard]] std::optional<std::string> cannot_express(const Scene&) const override {
         return refusal;

@@ -22,7 +22,9 @@ class KnownCode final : public adapters::GrainCode {
     mutable int runs = 0;
 
     std::string name() const override { return "known"; }
-    adapters::Availability probe() const override { return {.installed = true, .version = "1"}; }
+    adapters::Availability probe(std::stop_token = {}) const override {
+        return {.installed = true, .version = "1"};
+    }
     std::vector<std::string> features() const override { return {}; }
     std::optional<std::string> cannot_express(const scene::Scene&) const override {
         return std::nullopt;

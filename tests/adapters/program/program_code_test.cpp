@@ -128,7 +128,9 @@ BOOST_AUTO_TEST_CASE(program_of_no_use_has_a_reason) {
     const auto broken = directory.path() / "broken";
     std::ofstream(broken) << "#!/crossgrain/no/such/interpreter\n";
     std::filesystem::permissions(broken, std::filesystem::perms::owner_all);
-    BOOST_TEST(reason(broken.string()) == "'" + broken.string() + " -c echo shell 7' does not run");
+    BOOST_TEST(reason(broken.string()) ==
+               "'" + broken.string() + " -c echo shell 7' does not run: cannot start " +
+                   broken.string() + ", its interpreter is missing: No such file or directory");
 }
 
 BOOST_AUTO_TEST_CASE(a_good_run_delivers_and_reports_its_cost) {
