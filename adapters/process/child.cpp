@@ -100,8 +100,10 @@ void Child::receive(bool wait) {
             last_ = report;
         } else if (got < 0 && errno == EAGAIN) {
             return;
-        } else if (got >= 0 || errno != EINTR) {
-            // The program itself has got a signal of its guard's death, but not its children.
+        } else if (got >= 0 || (errno != EINTR && errno != ECONNRESET)) {
+            // (It is reset, but not empty, if the guard ended before it had heard our last
+            // request.) The program itself is killed with its guard (PR_SET_PDEATHSIG), but not its
+            // children.
             kill(-program_, SIGKILL);
             fail(ECHILD, "the guard of a program was killed");
         }

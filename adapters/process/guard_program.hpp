@@ -8,9 +8,8 @@
 
 namespace crossgrain::adapters::process {
 
-/// Starts the guard with these arguments (guard/protocol.hpp) and one end of a socket, in a session
-/// of its own, so that neither Ctrl-C nor a closed terminal ends it before its work is done.
-/// Throws std::system_error.
+/// Starts the guard with these arguments (guard/protocol.hpp) and one end of a socket, so that no
+/// signal but SIGKILL ends it before its work is done. Throws std::system_error.
 [[nodiscard]] pid_t start_guard(int socket, std::vector<std::string> arguments,
                                 const std::vector<std::string>& environment);
 

@@ -43,8 +43,8 @@ std::optional<std::string> why_no_answer(const process::Answer& answer) {
 }
 
 std::string last_words(const process::Answer& answer) {
+    if (answer.status == 0) return {};
     const std::string words = first_words(answer);
-    if (words.empty() && answer.status == 0) return {};
     if (words.empty()) return fmt::format(" ({})", answer.ended);
     return fmt::format(" ({}: '{}')", answer.ended, printable(words));
 }

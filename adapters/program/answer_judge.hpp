@@ -14,7 +14,7 @@ namespace crossgrain::adapters {
 [[nodiscard]] std::optional<std::string> why_no_answer(const process::Answer& answer);
 
 /// " (exit status 1: 'first line that it printed')", for an answer that means nothing to us;
-/// empty if the program had nothing to say and ended well.
+/// empty if the program ended well.
 [[nodiscard]] std::string last_words(const process::Answer& answer);
 
 }  // namespace crossgrain::adapters

@@ -25,7 +25,7 @@ constexpr const char* script_name = "scene.py";
 std::optional<std::string> version_in(const std::string& text) {
     constexpr std::string_view mark = "Yade version: ";
     const auto line = line_starting_with(text, mark);
-    if (!line || line->size() == mark.size()) return std::nullopt;
+    if (!line || line->size() <= mark.size()) return std::nullopt;
     return line->substr(mark.size());
 }
 

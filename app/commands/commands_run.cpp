@@ -1,6 +1,6 @@
 // crossgrain run | compare | certify | validate | report | history.
+#include "adapters/process/detached.hpp"
 #include "adapters/process/find_program.hpp"
-#include "adapters/process/process.hpp"
 #include "app/commands/commands.hpp"
 #include "app/documents.hpp"
 #include "app/evaluate/attribution.hpp"
@@ -79,11 +79,9 @@ Compared split_phenomena(const std::vector<std::string>& names) {
 
 void open_in_browser(const std::filesystem::path& page) {
     namespace process = adapters::process;
-    const bool shown = process::find_program("xdg-open") &&
-                       process::run({.argv = {"xdg-open", std::filesystem::absolute(page).string()},
-                                     .directory = page.parent_path(),
-                                     .time_limit = 30})
-                               .status == 0;
+    const auto opener = process::find_program("xdg-open");
+    const bool shown =
+        opener && process::start_detached(*opener, {std::filesystem::absolute(page).string()});
     if (!shown) print_note("no program is set up to open HTML pages here");
 }
 
