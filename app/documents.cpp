@@ -252,12 +252,14 @@ void add_sweep(const catalog::Case& the_case, json& entry) {
 
 }  // namespace
 
-json codes_document() {
+json codes_document(std::stop_token stop) {
     json list = json::array();
     for (const auto& code : codes()) {
-        const auto available = code->probe();
+        const auto available = code->probe(stop);
         list.push_back({{"code", code->name()},
                         {"version", available.version},
+                        {"program", available.program},
+                        {"digest", available.digest},
                         {"status", available.installed ? "ok" : "not_installed"},
                         {"reason", available.reason},
                         {"expresses", code->features()}});

@@ -6,10 +6,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <stop_token>
+
 namespace crossgrain::app {
 
-/// {"codes": [{code, version, status, reason, expresses}]}
-[[nodiscard]] nlohmann::json codes_document();
+/// {"codes": [{code, version, program, digest, status, reason, expresses}]}. Throws Interrupted.
+[[nodiscard]] nlohmann::json codes_document(std::stop_token stop = {});
 
 /// {"cases": [{case, runs, measurements, verdicts}]}, the answer of run and compare.
 [[nodiscard]] nlohmann::json cases_document(const SessionReport& report);

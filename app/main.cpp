@@ -3,6 +3,7 @@
 #include "app/option_rules.hpp"
 #include "app/output.hpp"
 #include "app/session.hpp"
+#include "app/signal_stop.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
 
@@ -10,7 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -19,37 +20,12 @@
 #include <sstream>
 #include <stdexcept>
 #include <stop_token>
-#include <thread>
 
 namespace {
 
 using namespace crossgrain;
 using app::Settings;
 using toml_input::TextKind;
-
-/// Turns Ctrl-C and SIGTERM into a stop request. A thread waits for them, because little may be
-/// done in a signal handler; a second Ctrl-C ends the program at once.
-class SignalStop {
-  public:
-    SignalStop() {
-        sigemptyset(&signals_);
-        sigaddset(&signals_, SIGINT);
-        sigaddset(&signals_, SIGTERM);
-        pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-        std::thread([this] {
-            int signal = 0;
-            sigwait(&signals_, &signal);
-            source_.request_stop();
-            sigwait(&signals_, &signal);
-            std::_Exit(app::exit_interrupted);
-        }).detach();
-    }
-    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-
-  private:
-    sigset_t signals_{};
-    std::stop_source source_;
-};
 
 struct Arguments {
     Settings settings;
@@ -111,7 +87,7 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
         return command;
     };
     add("codes", "codes on this machine, their versions and what each can express",
-        [](Arguments& x, auto) { return app::list_codes(x.settings); });
+        [](Arguments& x, auto stop) { return app::list_codes(x.settings, std::move(stop)); });
     add("cases", "cases of the catalogue",
         [](Arguments& x, auto) { return app::list_cases(x.settings); });
     add("observables", "what can be measured, and the exact values there are",
@@ -121,16 +97,17 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
     });
     add_selection(*run, a);
     add_execution(*run, a);
-    auto* write = add("write", "write the inputs of a code only",
-                      [](Arguments& x, auto) { return app::write_inputs(x.settings, x.out); });
+    auto* write = add("write", "write the inputs of a code only", [](Arguments& x, auto stop) {
+        return app::write_inputs(x.settings, x.out, std::move(stop));
+    });
     add_selection(*write, a);
     write->add_option("--out", a.out, "directory to write to")
         ->required()
         ->check(app::printable_text(TextKind::line));
-    auto* read = add("read", "measure a LAMMPS dump made elsewhere", [](Arguments& x, auto) {
+    auto* read = add("read", "measure a LAMMPS dump made elsewhere", [](Arguments& x, auto stop) {
         x.read.dump = x.settings.cases.back();
         x.settings.cases.pop_back();
-        return app::read_dump(x.settings, x.read);
+        return app::read_dump(x.settings, x.read, std::move(stop));
     });
     read->add_option("CASE PATH", a.settings.cases, "the case, and the dump")
         ->required()
@@ -220,8 +197,14 @@ void choose_suite(const CLI::App& command, Arguments& arguments) {
 
 constexpr std::size_t longest_message = 1000;
 
-int run_program(int argc, char** argv) {
-    const SignalStop stop;
+/// Whether the command has nothing to bring to an orderly end.
+bool only_reads(const CLI::App& command) {
+    constexpr std::array names{"cases",   "observables", "compare", "report",
+                               "history", "regressions", "advise"};
+    return std::ranges::find(names, command.get_name()) != names.end();
+}
+
+int run_program(int argc, char** argv, app::SignalStop& stop) {
     CLI::App program{"crossgrain: cross-validation of granular codes"};
     program.set_version_flag("--version", app::program_version());
     program.require_subcommand(1);
@@ -247,33 +230,38 @@ int run_program(int argc, char** argv) {
     }
     auto* command = program.get_subcommands().front();
     choose_suite(*command, arguments);
-    return actions.at(command)(arguments, stop.token());
+    return actions.at(command)(arguments, only_reads(*command) ? std::stop_token() : stop.listen());
 }
 
-int failed(const std::exception& error, int code) {
+/// One line on stderr, and the exit code. What fails after a stop request fails because of it: it
+/// interrupts system calls that wait.
+int failed(const std::exception& error, int code, const app::SignalStop& stop) {
     app::flush_results();  // where both go to one file, the results come first
+    if (stop.requested()) {
+        app::print_note("interrupted");
+        return app::exit_interrupted;
+    }
     app::print_note("error: {}", error.what());
     return code;
 }
 
-int guarded_run(int argc, char** argv) {
+int guarded_run(int argc, char** argv, app::SignalStop& stop) {
     try {
-        return run_program(argc, argv);
+        return run_program(argc, argv, stop);
     } catch (const CaseError& error) {
-        return failed(error, app::exit_usage);
+        return failed(error, app::exit_usage, stop);
     } catch (const store::StoreError& error) {
-        return failed(error, app::exit_usage);
-    } catch (const Interrupted&) {
-        return app::exit_interrupted;
+        return failed(error, app::exit_usage, stop);
     } catch (const std::bad_alloc&) {
         // Runs that fail are told as such where they fail: this is about what was being planned.
-        app::print_note("error: the input asks for more memory than there is");
-        return app::exit_usage;
+        return failed(std::runtime_error("the input asks for more memory than there is"),
+                      app::exit_usage, stop);
     } catch (const std::length_error& error) {
-        app::print_note("error: the input asks for more than can be counted: {}", error.what());
-        return app::exit_usage;
+        return failed(std::runtime_error(fmt::format(
+                          "the input asks for more than can be counted: {}", error.what())),
+                      app::exit_usage, stop);
     } catch (const std::exception& error) {
-        return failed(error, app::exit_run_failed);
+        return failed(error, app::exit_run_failed, stop);
     }
 }
 
@@ -281,8 +269,8 @@ int guarded_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     app::open_standard_streams();
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is seen by the write that fails
-    const int code = guarded_run(argc, argv);
+    app::SignalStop stop;
+    const int code = guarded_run(argc, argv, stop);
     if (const auto reason = app::lost_results()) {
         app::print_note("error: standard output cannot be written: {}", *reason);
         return code == app::exit_interrupted ? code : app::exit_run_failed;

@@ -90,7 +90,7 @@ std::string run_key(const PlannedRun& run) {
 
 std::vector<PlannedRun> plan(const catalog::Case& the_case,
                              const std::vector<const adapters::Code*>& selected,
-                             const Settings& settings) {
+                             const Settings& settings, const std::stop_token& stop) {
     const auto codes = codes_for(the_case, selected);
     std::map<const adapters::Code*, adapters::Availability> availability;
     std::int64_t most = 0;
@@ -98,7 +98,7 @@ std::vector<PlannedRun> plan(const catalog::Case& the_case,
         return settings.replicas.value_or(the_case.replicas.of(code->name(), variant.name));
     };
     for (const auto* code : codes) {
-        availability[code] = code->probe();
+        availability[code] = code->probe(stop);
         for (const auto& variant : the_case.variants)
             most = std::max(most, replicas_of(code, variant));
     }
@@ -106,6 +106,7 @@ std::vector<PlannedRun> plan(const catalog::Case& the_case,
     for (std::size_t variant = 0; variant < the_case.variants.size(); ++variant) {
         for (std::size_t rung = 0; rung < the_case.variants[variant].rungs; ++rung) {
             for (std::int64_t replica = 0; replica < most; ++replica) {
+                if (stop.stop_requested()) throw Interrupted();
                 const auto scene = std::make_shared<const scene::AnyScene>(the_case.scene(
                     variant, rung, settings.seed + static_cast<std::uint64_t>(replica)));
                 for (const auto* code : codes) {

@@ -28,10 +28,12 @@ struct PlannedRun {
 };
 
 /// Only codes that run the case's model take part; throws CaseError if none of those asked for
-/// does. Replicas of a code share their seeds with the other codes: replica r has seed + r.
+/// does, and Interrupted. Replicas of a code share their seeds with the other codes: replica r has
+/// seed + r.
 [[nodiscard]] std::vector<PlannedRun> plan(const catalog::Case& the_case,
                                            const std::vector<const adapters::Code*>& codes,
-                                           const Settings& settings);
+                                           const Settings& settings,
+                                           const std::stop_token& stop = {});
 
 /// SHA-256 over all that decides the run's numbers: scene, input files, observables, code, version.
 [[nodiscard]] std::string run_key(const PlannedRun& run);

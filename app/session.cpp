@@ -95,13 +95,14 @@ store::Store open_store(const Settings& settings, store::Access access) {
 }
 
 std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const Settings& settings,
-                                                                 std::stop_token stop) {
+                                                                 const std::stop_token& stop) {
     const std::string directory = (share_directory() / "catalog").string();
     const std::string suite = name_of(settings.suite);
     std::vector<std::shared_ptr<const catalog::Case>> cases;
     const auto chosen = select_codes(settings.codes);
     const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;
     for (const auto& name : names) {
+        if (stop.stop_requested()) throw Interrupted();
         // Not every case is charted.
         const bool optional = settings.cases.empty() && suite != "quick" && suite != "full";
         if (optional && !has_suite(directory, name, suite)) continue;
@@ -130,7 +131,7 @@ SessionReport run_session(const Settings& settings, store::Store& store, std::st
     std::vector<PlannedRun> runs;
     std::vector<const catalog::Case*> owners;
     for (const auto& the_case : cases) {
-        for (auto& run : plan(*the_case, codes, settings)) {
+        for (auto& run : plan(*the_case, codes, settings, stop)) {
             if (compute && run.replica == 0) warn(*run.scene, settings);
             owners.push_back(the_case.get());
             runs.push_back(std::move(run));

@@ -39,10 +39,10 @@ struct SessionReport {
 /// The store of the results directory; what it has to say goes to stderr. Throws StoreError.
 [[nodiscard]] store::Store open_store(const Settings& settings, store::Access access);
 
-/// The cases named in the settings, each file once, or all of the suite. Throws CaseError; also
-/// when two of them have the same name.
+/// The cases named in the settings, each file once, or all of the suite. Throws CaseError, also
+/// when two of them have the same name; Interrupted.
 [[nodiscard]] std::vector<std::shared_ptr<const catalog::Case>>
-selected_cases(const Settings& settings, std::stop_token stop = {});
+selected_cases(const Settings& settings, const std::stop_token& stop);
 
 /// With `compute` false only the store is read. Verdicts are recorded in the store.
 [[nodiscard]] SessionReport run_session(const Settings& settings, store::Store& store,

@@ -3,6 +3,8 @@
 #include "adapters/lammps/lammps_code.hpp"
 #include "adapters/liggghts/liggghts_code.hpp"
 #include "adapters/process/process.hpp"
+#include "adapters/process/scratch_directory.hpp"
+#include "adapters/process/temporary_base.hpp"
 #include "adapters/yade/yade_code.hpp"
 #include "native/base/errors.hpp"
 #include "reports/web/atomic_file.hpp"
@@ -10,38 +12,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 namespace crossgrain::app {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A directory that goes with the object.
-class Scratch {
-  public:
-    Scratch() {
-        std::string name = (fs::temp_directory_path() / "crossgrain-bench-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory: " + name);
-        path_ = name;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
+adapters::process::ScratchDirectory scratch_directory() {
+    const auto base = adapters::process::temporary_base();
+    adapters::process::sweep(base);
+    return {base, "bench"};
+}
 
 constexpr double time_limit = 1800;
 
@@ -56,7 +39,7 @@ Turn short_and_long(const SceneOf& scene, std::int64_t steps, const Cost& cost) 
 /// MPI ranks.
 adapters::RunCost run_lammps(const scene::Scene& scene, double skin, int ranks,
                              const std::stop_token& stop) {
-    const Scratch scratch;
+    const auto scratch = scratch_directory();
     std::vector<std::string> argv{"lmp", "-log", "none", "-nocite", "-in"};
     for (auto file : adapters::LammpsCode().input(scene)) {
         if (file.name.starts_with("in.")) {
@@ -97,7 +80,7 @@ Contender program(const adapters::GrainCode& code, const BenchOptions& options,
     return {code.name(),
             [&code, scene, stop = options.stop](std::int64_t steps) {
                 return short_and_long(scene, steps, [&](const scene::Scene& run) {
-                    const Scratch scratch;
+                    const auto scratch = scratch_directory();
                     return code.run(
                         run, {.directory = scratch.path(), .time_limit = time_limit, .stop = stop},
                         [](const scene::Frame&) {});

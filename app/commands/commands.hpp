@@ -10,7 +10,7 @@
 
 namespace crossgrain::app {
 
-int list_codes(const Settings& settings);
+int list_codes(const Settings& settings, std::stop_token stop);
 int list_cases(const Settings& settings);
 int list_observables(const Settings& settings);
 
@@ -24,7 +24,7 @@ int certify_cases(const Settings& settings, std::stop_token stop);
 int validate(const Settings& settings, std::stop_token stop);
 
 /// Inputs only, one directory per run below `out`. Exactly one case and one code.
-int write_inputs(const Settings& settings, const std::filesystem::path& out);
+int write_inputs(const Settings& settings, const std::filesystem::path& out, std::stop_token stop);
 
 /// A dump made elsewhere, measured as the run `name` of a case.
 struct ReadRequest {
@@ -33,7 +33,7 @@ struct ReadRequest {
     std::string variant;   ///< empty: the first
     std::size_t rung = 1;  ///< which time step of a ladder, from 1
 };
-int read_dump(const Settings& settings, const ReadRequest& request);
+int read_dump(const Settings& settings, const ReadRequest& request, std::stop_token stop);
 
 /// Pages from the store. `open` starts the desktop's browser.
 int write_report(const Settings& settings, bool open);

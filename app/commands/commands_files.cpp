@@ -27,13 +27,14 @@
 namespace crossgrain::app {
 namespace {
 
-std::shared_ptr<const catalog::Case> the_one_case(const Settings& settings) {
+std::shared_ptr<const catalog::Case> the_one_case(const Settings& settings,
+                                                  const std::stop_token& stop) {
     if (settings.cases.size() != 1) {
         throw CaseError({.problem = "needs one case",
                          .got = fmt::format("{}", settings.cases.size()),
                          .expected = "exactly one case"});
     }
-    return selected_cases(settings).front();
+    return selected_cases(settings, stop).front();
 }
 
 std::size_t variant_index(const catalog::Case& the_case, const std::string& name) {
@@ -54,13 +55,15 @@ std::size_t variant_index(const catalog::Case& the_case, const std::string& name
 
 /// Streams the dump through the same guard and the same estimators as any run.
 store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& request,
-                              std::size_t variant, const Settings& settings) {
+                              std::size_t variant, const Settings& settings,
+                              const std::stop_token& stop) {
     const auto given = std::make_shared<const scene::AnyScene>(
         the_case.scene(variant, request.rung - 1, settings.seed));
-    const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, {});
+    const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, stop);
     const auto& scene = std::get<scene::Scene>(*ready);
     const auto estimators = make_estimators(the_case, scene);
     scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
+        if (stop.stop_requested()) throw Interrupted();
         for (const auto& estimator : estimators)
             estimator->add(frame);
     });
@@ -88,15 +91,15 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
 
 }  // namespace
 
-int write_inputs(const Settings& settings, const std::filesystem::path& out) {
+int write_inputs(const Settings& settings, const std::filesystem::path& out, std::stop_token stop) {
     if (settings.codes.size() != 1) {
         throw CaseError({.key = "--code",
                          .problem = "is needed once",
                          .got = fmt::format("{} codes", settings.codes.size()),
                          .expected = "the code whose input to write"});
     }
-    const auto the_case = the_one_case(settings);
-    const auto runs = plan(*the_case, select_codes(settings.codes), settings);
+    const auto the_case = the_one_case(settings, stop);
+    const auto runs = plan(*the_case, select_codes(settings.codes), settings, stop);
     std::vector<const PlannedRun*> expressible;
     for (const auto& run : runs) {
         if (const auto reason = cannot_express(*run.code, *run.scene)) {
@@ -110,7 +113,7 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
     std::vector<WrittenInput> inputs;
     for (std::size_t i = 0; i < expressible.size(); ++i) {
         const PlannedRun& run = *expressible[i];
-        const auto ready = preparations.prepared(run.scene, run.time_limit, {});
+        const auto ready = preparations.prepared(run.scene, run.time_limit, stop);
         inputs.push_back({.directory = out / names[i], .files = input_of(*run.code, *ready)});
         prepare_directory(inputs.back());
     }
@@ -122,8 +125,8 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out) {
     return inputs.empty() ? exit_run_failed : exit_ok;
 }
 
-int read_dump(const Settings& settings, const ReadRequest& request) {
-    const auto the_case = the_one_case(settings);
+int read_dump(const Settings& settings, const ReadRequest& request, std::stop_token stop) {
+    const auto the_case = the_one_case(settings, stop);
     if (the_case->model != "grains") {
         throw CaseError({.file = the_case->file,
                          .key = "read",
@@ -142,7 +145,8 @@ int read_dump(const Settings& settings, const ReadRequest& request) {
     Settings stored = settings;
     stored.codes.clear();
     auto session = run_session(stored, store, {}, false);
-    std::vector<store::RunRecord> records{measure_dump(*the_case, request, variant, settings)};
+    std::vector<store::RunRecord> records{
+        measure_dump(*the_case, request, variant, settings, stop)};
     const bool failed = records.front().status != "ok";
     for (const auto& run : session.cases.front().runs.records()) {
         const bool sibling = run.status == "ok" && run.variant == records.front().variant;

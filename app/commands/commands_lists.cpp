@@ -11,14 +11,25 @@
 #include <nlohmann/json.hpp>
 
 namespace crossgrain::app {
+namespace {
 
-int list_codes(const Settings& settings) {
-    const auto document = codes_document();
+/// "/usr/bin/lmp 0123456789ab": where it is, and the beginning of its digest.
+std::string program_text(const nlohmann::json& code) {
+    constexpr std::size_t digits = 12;
+    const auto program = code["program"].get<std::string>();
+    if (program.empty()) return {};
+    return fmt::format("{} {}", program, code["digest"].get<std::string>().substr(0, digits));
+}
+
+}  // namespace
+
+int list_codes(const Settings& settings, std::stop_token stop) {
+    const auto document = codes_document(std::move(stop));
     if (settings.json) {
         print_document(document);
         return exit_ok;
     }
-    TextTable table({"code", "status", "version", "expresses"});
+    TextTable table({"code", "status", "version", "program", "expresses"});
     for (const auto& code : document["codes"]) {
         bool first = true;
         for (const std::string feature : code["expresses"]) {
@@ -27,7 +38,7 @@ int list_codes(const Settings& settings) {
                        first ? (code["status"] == "ok" ? code["version"].get<std::string>()
                                                        : code["reason"].get<std::string>())
                              : "",
-                       feature});
+                       first ? program_text(code) : "", feature});
             first = false;
         }
     }

@@ -214,7 +214,7 @@ void write_page(const json& maps, const Settings& settings) {
 std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& settings) {
     Settings whole = settings;
     whole.map_axes.clear();
-    auto cases = selected_cases(whole);
+    auto cases = selected_cases(whole, stop);
     if (!settings.map_axes.empty()) return cases;
     std::erase_if(cases, [&](const auto& the_case) {
         if (the_case->model != "grains" || has_residuals(*the_case, settings.seed)) return false;

@@ -51,8 +51,8 @@ class DefectiveCode final : public adapters::CodeFor<SceneT> {
     [[nodiscard]] std::string name() const override { return code_.name(); }
     [[nodiscard]] std::vector<std::string> features() const override { return code_.features(); }
     /// The version tells the defect, so that no run is taken for one without it.
-    [[nodiscard]] adapters::Availability probe(std::stop_token = {}) const override {
-        auto available = runs_.probe();
+    [[nodiscard]] adapters::Availability probe(std::stop_token stop = {}) const override {
+        auto available = runs_.probe(std::move(stop));
         available.version += fmt::format(" with '{}'", defect_.name);
         return available;
     }
