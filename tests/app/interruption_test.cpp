@@ -1,11 +1,13 @@
 // Protects what was already computed: Ctrl-C in the middle ends the foreign programs, keeps the
 // finished runs, and the next call goes on from there. So does a full results directory.
+#include "tests/app/interrupted_call.hpp"
 #include "tests/app/program.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <chrono>
 #include <csignal>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -59,4 +61,34 @@ BOOST_AUTO_TEST_CASE(a_run_over_its_time_limit_fails_with_that_reason) {
     const auto answer = crossgrain({"run", endless, "--code", "native-dem", "--time-limit", "0.5"});
     BOOST_TEST(answer.status == 3);
     BOOST_TEST(answer.says("time limit"));
+}
+
+BOOST_AUTO_TEST_CASE(every_signal_is_heard_while_the_program_waits_for_a_file) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) {
+        crossgrain::tests::CallSite site;
+        const auto pipe = site.directory() / "case.toml";  // that nobody writes
+        BOOST_TEST_REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+        site.start({"run", pipe.string(), "--code", "native-dem"});
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        site.send(signal);
+        const auto end = site.wait(30);
+        BOOST_TEST(end.status == 130);
+        // Heard, not ended by the watchdog after five seconds.
+        BOOST_TEST(end.seconds < 4);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_second_signal_ends_the_program_at_once) {
+    crossgrain::tests::CallSite site;
+    const Program crossgrain;
+    const auto endless =
+        crossgrain.case_with("small-bed", "time = 2.0\nframes = { every_time = 0.1 }",
+                             "time = 4e6\nframes = { every_time = 1e3 }");
+    site.start({"run", endless, "--code", "native-dem"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    site.send(SIGHUP);
+    site.send(SIGTERM);
+    BOOST_TEST(site.wait(30).status == 130);
+    BOOST_TEST(site.nobody_left());
+    BOOST_TEST(crossgrain({"run", endless, "--time-limit", "0.1"}).status == 3);
 }
