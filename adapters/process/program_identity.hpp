@@ -24,8 +24,8 @@ struct ProgramFiles {
 /// files with their libraries; of a script ("#!"), the script and its interpreter. It depends on
 /// the names and contents of the files, not on the directories they are in. What a script starts,
 /// or a program loads by itself later, is not known unless it is named.
-/// Throws std::system_error if a file cannot be read, std::runtime_error with the loader's words if
-/// a library is missing, Interrupted on a stop request.
+/// Throws std::system_error if a file cannot be read or a library is missing, Interrupted on a stop
+/// request.
 [[nodiscard]] ProgramIdentity identify(const ProgramFiles& files, const std::stop_token& stop);
 
 }  // namespace crossgrain::adapters::process

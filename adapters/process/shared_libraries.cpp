@@ -9,7 +9,6 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 
 #include <elf.h>
@@ -54,6 +53,11 @@ std::string path_in(const std::string& line) {
     return line.substr(start, end - start);
 }
 
+[[noreturn]] void fail(const std::string& words, const fs::path& executable) {
+    throw std::system_error(ELIBACC, std::generic_category(),
+                            fmt::format("{}: {}", executable.string(), words));
+}
+
 /// A list that the loader reads; what would end a name in it is left out.
 std::string preload_list(const std::vector<fs::path>& modules) {
     std::string list;
@@ -90,15 +94,13 @@ std::vector<fs::path> shared_libraries(const fs::path& loader, const fs::path& e
     const Answer answer = ask(question);
     if (answer.ending == Ending::stopped) throw Interrupted();
     if (answer.ending != Ending::exited || answer.status != 0) {
-        throw std::runtime_error(fmt::format("'{} --list {}': {}", loader.string(),
-                                             executable.string(),
-                                             answer.err.empty() ? answer.ended : answer.err));
+        fail(answer.err.empty() ? answer.ended : answer.err, executable);
     }
     std::vector<fs::path> libraries;
     std::istringstream lines(answer.out);
     for (std::string line; std::getline(lines, line);) {
         if (line.find("=> not found") != std::string::npos) {
-            throw std::runtime_error(line.substr(line.find_first_not_of(" \t")));
+            fail(line.substr(line.find_first_not_of(" \t")), executable);
         }
         if (auto path = path_in(line); !path.empty()) libraries.emplace_back(std::move(path));
     }

@@ -15,7 +15,8 @@ namespace crossgrain::adapters::process {
 loader_of(const std::filesystem::path& executable);
 
 /// What the loader says that it would load for an executable and for `modules`, which are loaded
-/// later. Throws std::runtime_error with the loader's words if something is missing.
+/// later. Throws std::system_error with the loader's words if something is missing,
+/// Interrupted on a stop request.
 [[nodiscard]] std::vector<std::filesystem::path>
 shared_libraries(const std::filesystem::path& loader, const std::filesystem::path& executable,
                  const std::vector<std::filesystem::path>& modules,
