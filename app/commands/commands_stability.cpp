@@ -211,7 +211,8 @@ void write_page(const json& maps, const Settings& settings) {
 
 /// The cases of this call. Before anything is computed one that was named and cannot be tried out
 /// is refused; of all cases it is left out.
-std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& settings) {
+std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& settings,
+                                                               const std::stop_token& stop) {
     Settings whole = settings;
     whole.map_axes.clear();
     auto cases = selected_cases(whole, stop);
@@ -230,7 +231,7 @@ std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& s
 }  // namespace
 
 int map_stability(const Settings& settings, const std::stop_token& stop) {
-    const auto cases = suited_cases(settings);
+    const auto cases = suited_cases(settings, stop);
     store::Store store = open_store(settings, store::Access::write);
     std::vector<StabilityReport> reports;
     int code = exit_ok;
