@@ -20,6 +20,8 @@ using nlohmann::json;
 json run_json(const store::RunRecord& run) {
     return {{"code", run.code},
             {"version", run.version},
+            {"program", run.program},
+            {"digest", run.digest},
             {"variant", run.variant},
             {"replica", run.replica},
             {"seed", run.seed},

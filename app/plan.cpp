@@ -28,6 +28,8 @@ nlohmann::json observables_json(const catalog::Case& the_case) {
 void settle_without_running(PlannedRun& run, const adapters::Availability& available) {
     auto& record = run.record;
     record.version = available.version;
+    record.program = available.program;
+    record.digest = available.digest;
     if (!available.installed) {
         record.status = "not_installed";
         record.reason = available.reason;
@@ -82,6 +84,7 @@ std::string run_key(const PlannedRun& run) {
                             {"observables", observables_json(*run.owner)},
                             {"code", run.code->name()},
                             {"version", run.record.version},
+                            {"digest", run.record.digest},
                             {"program", program_version()}};
     for (const auto& file : input_of(*run.code, unnamed))
         identity["input"][file.name] = file.text;

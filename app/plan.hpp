@@ -35,7 +35,8 @@ struct PlannedRun {
                                            const Settings& settings,
                                            const std::stop_token& stop = {});
 
-/// SHA-256 over all that decides the run's numbers: scene, input files, observables, code, version.
+/// SHA-256 over all that decides the run's numbers: scene, input files, observables, the code, its
+/// version and its program, and our own sources.
 [[nodiscard]] std::string run_key(const PlannedRun& run);
 
 }  // namespace crossgrain::app

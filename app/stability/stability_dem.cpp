@@ -98,8 +98,8 @@ void add_searches(const Scene& model, const Method& method, double restitution, 
         const auto available = code->probe();
         if (!available.installed) continue;
         found.code = code->name();
-        searches.push_back(
-            {runner, available.version, packing, found.theory.value_or(packing.dt), found});
+        searches.push_back({runner, available.version, available.digest, packing,
+                            found.theory.value_or(packing.dt), found});
         if (state == ContactState::open) return;
     }
 }

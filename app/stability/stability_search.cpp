@@ -80,6 +80,7 @@ std::string key_of(const ThresholdSearch& search) {
                                  {"search", {search.guess, bracket, widening, resolution}},
                                  {"code", search.code->name()},
                                  {"version", search.version},
+                                 {"digest", search.digest},
                                  {"program", program_version()}}
                       .dump());
 }
@@ -167,6 +168,7 @@ class Searches {
                           .variant = result.method,
                           .code = result.code,
                           .version = search.version,
+                          .digest = search.digest,
                           .status = "ok",
                           .settings_json = "{}",
                           .created = store::utc_now(),

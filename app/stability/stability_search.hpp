@@ -36,7 +36,7 @@ class StabilityTrial {
 /// One threshold to be found.
 struct ThresholdSearch {
     const adapters::GrainCode* code = nullptr;
-    std::string version;  ///< of the code
+    std::string version, digest;  ///< of the code (adapters::Availability)
     scene::Scene packing;
     double guess = 0;           ///< of the threshold, > 0
     StabilityThreshold result;  ///< all but `works` and `fails`
