@@ -171,11 +171,11 @@ BOOST_AUTO_TEST_CASE(native_runs) {
 }
 
 BOOST_AUTO_TEST_CASE(lammps_runs) {
-    check_code({.code = "lammps", .contact_times = 400, .moments = 2, .replicas = 3});
+    check_code({.code = "lammps", .contact_times = 400, .moments = 1, .replicas = 3});
 }
 
 BOOST_AUTO_TEST_CASE(liggghts_runs) {
-    check_code({.code = "liggghts", .contact_times = 400, .moments = 2, .replicas = 3});
+    check_code({.code = "liggghts", .contact_times = 400, .moments = 1, .replicas = 3});
 }
 
 BOOST_AUTO_TEST_CASE(yade_runs) {
