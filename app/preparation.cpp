@@ -3,8 +3,8 @@
 #include "adapters/process/scratch_directory.hpp"
 #include "app/catalogue/catalogue.hpp"
 #include "app/output.hpp"
-#include "app/prepared_state.hpp"
 #include "cases/scene/preparation.hpp"
+#include "cases/scene/prepared_state.hpp"
 #include "cases/scene/scene_json.hpp"
 #include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
@@ -49,7 +49,7 @@ std::optional<InitialState> read_state(const fs::path& file, std::size_t grains)
     if (!in) return std::nullopt;
     const std::string text(std::istreambuf_iterator<char>(in), {});
     try {
-        return state_from(text, grains);
+        return scene::state_from(text, grains);
     } catch (const std::invalid_argument& error) {
         print_note("warning: the prepared state in {} cannot be used ({}) and is made again",
                    printable(file.string(), longest_path), printable(error.what()));
@@ -61,7 +61,7 @@ std::optional<InitialState> read_state(const fs::path& file, std::size_t grains)
 void write_state(const fs::path& file, const InitialState& state, double speed) {
     const fs::path unfinished = file.string() + ".part";  // under a claim: nobody else's
     std::ofstream out(unfinished);
-    out << text_of(state, speed);
+    out << scene::text_of(state, speed);
     out.close();
     if (!out) {
         throw CaseError({.file = unfinished.string(),

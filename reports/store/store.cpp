@@ -1,7 +1,7 @@
 #include "reports/store/store.hpp"
 
+#include "native/base/bounded_json.hpp"
 #include "native/base/printable.hpp"
-#include "reports/store/bounded_json.hpp"
 #include "reports/store/database.hpp"
 #include "reports/store/picture_fault.hpp"
 #include "reports/store/results_json.hpp"

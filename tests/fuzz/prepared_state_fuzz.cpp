@@ -1,7 +1,7 @@
 // Any bytes as the prepared state of two grains.
 #include "tests/fuzz/fuzz_input.hpp"
 
-#include "app/prepared_state.hpp"
+#include "cases/scene/prepared_state.hpp"
 
 #include <cstdlib>
 
@@ -10,7 +10,7 @@ using namespace crossgrain;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     constexpr std::size_t grains = 2;
     try {
-        const auto state = app::state_from(tests::text_of(data, size), grains);
+        const auto state = scene::state_from(tests::text_of(data, size), grains);
         if (state.x.size() != grains || state.y.size() != grains) std::abort();
     } catch (const std::invalid_argument&) {
     }

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace crossgrain::store {
+namespace crossgrain {
 
 /// Deepest nesting of tables and lists that is read. Ours have at most 5 levels; parsers and
 /// destructors that call themselves run out of stack at some 10^5.
@@ -18,4 +18,4 @@ inline constexpr std::size_t deepest_json = 64;
 [[nodiscard]] nlohmann::json bounded_json(std::string_view text);
 [[nodiscard]] nlohmann::json bounded_cbor(std::span<const std::uint8_t> bytes);
 
-}  // namespace crossgrain::store
+}  // namespace crossgrain

@@ -1,6 +1,6 @@
-#include "app/prepared_state.hpp"
+#include "cases/scene/prepared_state.hpp"
 
-#include "reports/store/bounded_json.hpp"
+#include "native/base/bounded_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace crossgrain::app {
+namespace crossgrain::scene {
 namespace {
 
 /// One place for each grain.
@@ -32,18 +32,18 @@ std::vector<double> positions(const nlohmann::json& state, const char* axis, std
 
 }  // namespace
 
-scene::InitialState state_from(std::string_view text, std::size_t grains) {
-    const nlohmann::json json = store::bounded_json(text);
+InitialState state_from(std::string_view text, std::size_t grains) {
+    const nlohmann::json json = bounded_json(text);
     if (!json.is_object()) throw std::invalid_argument("no JSON object");
-    scene::InitialState state;
+    InitialState state;
     state.x = positions(json, "x", grains);
     state.y = positions(json, "y", grains);
     return state;
 }
 
-std::string text_of(const scene::InitialState& state, double rms_speed) {
+std::string text_of(const InitialState& state, double rms_speed) {
     // A number of nlohmann::json reads back to the same bits.
     return nlohmann::json{{"rms_speed", rms_speed}, {"x", state.x}, {"y", state.y}}.dump() + '\n';
 }
 
-}  // namespace crossgrain::app
+}  // namespace crossgrain::scene

@@ -1,4 +1,4 @@
-#include "reports/store/bounded_json.hpp"
+#include "native/base/bounded_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace crossgrain::store {
+namespace crossgrain {
 namespace {
 
 using nlohmann::json;
@@ -66,4 +66,4 @@ json bounded_cbor(std::span<const std::uint8_t> bytes) {
     return json::from_cbor(bytes.begin(), bytes.end());
 }
 
-}  // namespace crossgrain::store
+}  // namespace crossgrain

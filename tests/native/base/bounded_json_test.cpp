@@ -1,5 +1,5 @@
 // A file that somebody damaged or made on purpose cannot overrun the stack.
-#include "reports/store/bounded_json.hpp"
+#include "native/base/bounded_json.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-using namespace crossgrain::store;
+using namespace crossgrain;
 using nlohmann::json;
 
 namespace {
