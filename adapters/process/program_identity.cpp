@@ -5,9 +5,12 @@
 #include "adapters/process/shared_libraries.hpp"
 #include "native/base/digest.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
 namespace crossgrain::adapters::process {
 
@@ -33,6 +36,30 @@ std::vector<fs::path> interpreters_of(const fs::path& file) {
     return found;
 }
 
+/// Programs that the text of a script names: by an absolute path, or behind `exec`. What it puts
+/// together from variables is not seen.
+std::vector<fs::path> programs_named_in(const fs::path& script) {
+    std::ifstream in(script, std::ios::binary);
+    constexpr std::size_t longest_script = std::size_t{1} << 16;
+    std::string text(longest_script, '\0');
+    in.read(text.data(), longest_script);
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    constexpr std::string_view between = " \t\n\r\"'`;|&()<>={}:,";
+    std::vector<fs::path> found;
+    bool behind_exec = false;
+    for (std::size_t at = text.find_first_not_of(between); at != std::string::npos;
+         at = text.find_first_not_of(between, at)) {
+        const std::size_t end = std::min(text.find_first_of(between, at), text.size());
+        const std::string word = text.substr(at, end - at);
+        const bool named = word.starts_with('/') || behind_exec;
+        behind_exec = word == "exec";
+        at = end;
+        if (!named || word.find('\0') != std::string::npos) continue;
+        if (const auto program = find_program(word)) found.push_back(fs::canonical(*program));
+    }
+    return found;
+}
+
 class Collection {
   public:
     Collection(const ProgramFiles& files, const std::stop_token& stop)
@@ -47,9 +74,16 @@ class Collection {
         constexpr int deepest = 4;  // as Linux has it
         if (!all_.insert(program).second || depth > deepest) return;
         const auto interpreters = interpreters_of(program);
+        if (interpreters.empty()) return add_libraries(program);
         for (const auto& interpreter : interpreters)
             add_program(interpreter, depth + 1);
-        if (interpreters.empty()) add_libraries(program);
+        for (const auto& named : programs_named_in(program)) {
+            try {
+                add_program(named, depth + 1);
+            } catch (const std::system_error&) {
+                // It lacks a library; whether the script ever starts it is not known.
+            }
+        }
     }
     [[nodiscard]] const std::set<fs::path>& all() const noexcept { return all_; }
 

@@ -47,6 +47,23 @@ BOOST_AUTO_TEST_CASE(sha256_of_texts) {
     BOOST_TEST(pieces.hex() == sha256("abc"));
 }
 
+BOOST_AUTO_TEST_CASE(a_wrapper_is_also_what_it_starts) {
+    const TemporaryDirectory directory;
+    const auto real = write(directory.path() / "lmp-real", "#!/bin/sh\necho 1\n");
+    const auto data = directory.path() / "data";
+    std::ofstream(data) << "1";
+    const auto wrapper = write(directory.path() / "lmp", "#!/bin/sh\n# see " + data.string() +
+                                                             "\nOMP_NUM_THREADS=1 exec \"" +
+                                                             real.string() + "\" \"$@\"\n");
+    const auto before = digest_of(wrapper);
+    std::ofstream(data) << "2";  // no program
+    BOOST_TEST(digest_of(wrapper) == before);
+    write(real, "#!/bin/sh\necho 2\n");
+    BOOST_TEST(digest_of(wrapper) != before);
+    // One that starts itself comes to an end.
+    BOOST_TEST(digest_of(write(real, "#!/bin/sh\nexec " + real.string() + "\n")).size() == 64);
+}
+
 BOOST_AUTO_TEST_CASE(a_script_is_its_text_and_its_interpreter) {
     const TemporaryDirectory directory;
     const auto script = write(directory.path() / "code", "#!/bin/sh\nexec lmp -var gamma 0.1\n");
