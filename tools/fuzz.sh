@@ -10,6 +10,7 @@ targets=("$@")
 if [[ ${#targets[@]} -eq 0 ]]; then
     targets=(case scene sweep dump rule_table published_values prepared_state store_row)
 fi
+tools/setup.sh --fuzz
 tools/build.sh fuzz "${targets[@]/#/fuzz_}"
 mkdir -p build/fuzz/findings
 failed=0

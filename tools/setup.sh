@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what a Debian 12 machine lacks to build, run and (with --tests) test crossgrain.
+# Installs what a Debian 12 machine lacks to build, run and (with --tests) test crossgrain, or (with
+# --fuzz) to fuzz it.
 # Idempotent; works as root or with sudo; says what it does and stays silent when there is nothing
 # to do. The list of packages is tools/packages.txt.
 set -euo pipefail
@@ -7,6 +8,7 @@ cd "$(dirname "$0")/.."
 
 purposes="build run"
 [[ ${1:-} == --tests ]] && purposes="build run test"
+[[ ${1:-} == --fuzz ]] && purposes="build fuzz"
 
 missing=()
 while read -r package purpose command; do
