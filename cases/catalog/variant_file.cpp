@@ -41,9 +41,9 @@ std::map<std::string, std::vector<std::string>> read_only(const TomlTable& entry
 void require_points(const std::string& file, const Variant& variant, const Sweep& sweep) {
     for (const auto& [key, values] : variant.only) {
         for (const auto& value : values) {
+            const std::pair wanted(key, value);
             const bool there = std::ranges::any_of(sweep.points, [&](const SweepPoint& point) {
-                return std::ranges::find(point.parameters, std::pair(key, value)) !=
-                       point.parameters.end();
+                return std::ranges::find(point.parameters, wanted) != point.parameters.end();
             });
             if (there) continue;
             throw CaseError({.file = file,
