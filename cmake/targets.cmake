@@ -14,6 +14,11 @@ if(CROSSGRAIN_SANITIZE)
                                                       -fno-sanitize-recover=all)
     target_link_options(crossgrain_flags INTERFACE -fsanitize=${CROSSGRAIN_SANITIZE})
 endif()
+if(CROSSGRAIN_SANITIZE AND NOT CROSSGRAIN_FUZZ)
+    # A kernel is compiled once per instruction set, which takes minutes with sanitizers; so it is
+    # compiled for this machine alone.
+    target_compile_options(crossgrain_flags INTERFACE -march=native)
+endif()
 if(CROSSGRAIN_FUZZ)
     target_compile_options(crossgrain_flags INTERFACE -fsanitize=fuzzer-no-link)
     # The first clang that knows all warnings of g++ 12 by name is not Debian's.
