@@ -212,6 +212,7 @@ int run_program(int argc, char** argv, app::SignalStop& stop) {
     Arguments arguments;
     Settings& settings = arguments.settings;
     program.add_option("--results", settings.results, "directory of store and report")
+        ->check(app::printable_text(TextKind::line))
         ->capture_default_str();
     program.add_flag("--json", settings.json, "one JSON document on stdout");
     program.add_flag("--quiet", settings.quiet, "no progress");

@@ -43,13 +43,23 @@ Scene preparatory_run(const Scene& given) {
     return start;
 }
 
+/// No more than a state of so many grains takes. Throws std::invalid_argument for anything else.
+std::string text_of_state(const fs::path& file, std::size_t grains) {
+    constexpr std::size_t of_a_grain = 64, of_the_rest = 1000;  // bytes
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) throw std::invalid_argument("no regular file");
+    if (fs::file_size(file, error) > of_a_grain * grains + of_the_rest)
+        throw std::invalid_argument("larger than a state of its grains");
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 /// A state that is not whole counts as absent, which is said: it is made again.
 std::optional<InitialState> read_state(const fs::path& file, std::size_t grains) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return std::nullopt;
-    const std::string text(std::istreambuf_iterator<char>(in), {});
+    std::error_code missing;
+    if (!fs::exists(fs::symlink_status(file, missing))) return std::nullopt;
     try {
-        return scene::state_from(text, grains);
+        return scene::state_from(text_of_state(file, grains), grains);
     } catch (const std::invalid_argument& error) {
         print_note("warning: the prepared state in {} cannot be used ({}) and is made again",
                    printable(file.string(), longest_path), printable(error.what()));

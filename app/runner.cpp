@@ -4,6 +4,7 @@
 #include "app/catalogue/estimators.hpp"
 #include "app/chart/expected_cost.hpp"
 #include "app/model_runs.hpp"
+#include "app/output.hpp"
 #include "app/preparation.hpp"
 #include "app/progress.hpp"
 #include "cases/scene/lattice_guard.hpp"
@@ -124,6 +125,11 @@ bool Runner::take_from_store(PlannedRun& run, bool failures) {
     const std::lock_guard lock(store_mutex_);
     auto stored = store_.find(run.record.key);
     if (!stored || (stored->status != "ok" && !failures)) return false;
+    if (stored->code != run.record.code) {  // part of the key: somebody changed the row
+        print_note("warning: a stored run of {} claims to be one of {} and is not used",
+                   run.record.code, printable(stored->code));
+        return false;
+    }
     relabel(*stored, run.record);
     run.record = std::move(*stored);
     ++summary_.from_store;
@@ -149,6 +155,7 @@ void Runner::choose_missing() {
 }
 
 void Runner::compute_missing() {
+    store_.open();  // claims are files beside it
     for (const auto& directory : {directories_, fs::absolute(settings_.results) / "prepared"})
         adapters::process::sweep(directory);
     choose_missing();

@@ -48,7 +48,8 @@ std::string command_text(const std::vector<std::string>& arguments) {
 
 std::filesystem::path share_directory() {
     namespace fs = std::filesystem;
-    if (const char* given = std::getenv("CROSSGRAIN_SHARE")) return given;
+    if (const char* given = std::getenv("CROSSGRAIN_SHARE"); given != nullptr && *given != '\0')
+        return given;
     std::error_code error;
     const fs::path binary = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (const fs::path& candidate :

@@ -40,6 +40,8 @@ SignalStop::SignalStop() {
         sigaddset(&signals_, signal);
     if (!is_ignored(SIGHUP)) sigaddset(&signals_, SIGHUP);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    // A write beyond the limit of file sizes fails, as it does on a full disk.
+    (void)std::signal(SIGXFSZ, SIG_IGN);
     struct sigaction nothing {};  // without SA_RESTART
     nothing.sa_handler = [](int) {};
     sigaction(wake_signal, &nothing, nullptr);

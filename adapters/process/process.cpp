@@ -172,7 +172,10 @@ class Supervisor {
     Result result(Ending ending) {
         const Reaped reaped = child_.reap();
         const bool filled_a_log = has_filled_a_log();
-        const bool filled_a_file = reaped.signalled && reaped.status == SIGXFSZ;
+        // A shell tells of it by an exit status.
+        constexpr int of_a_shell = 128;
+        const bool filled_a_file =
+            reaped.status == (reaped.signalled ? SIGXFSZ : of_a_shell + SIGXFSZ);
         if (ending == Ending::exited) {
             if (reaped.signalled) ending = Ending::signalled;
             if (filled_a_log || filled_a_file) ending = Ending::too_much_output;

@@ -36,26 +36,35 @@ std::vector<fs::path> interpreters_of(const fs::path& file) {
     return found;
 }
 
-/// Programs that the text of a script names: by an absolute path, or behind `exec`. What it puts
-/// together from variables is not seen.
+/// Programs and scripts that the text of a script names: by an absolute path, or behind `exec`, `.`
+/// or `source`. What it puts together from variables is not seen.
 std::vector<fs::path> programs_named_in(const fs::path& script) {
     std::ifstream in(script, std::ios::binary);
     constexpr std::size_t longest_script = std::size_t{1} << 16;
     std::string text(longest_script, '\0');
     in.read(text.data(), longest_script);
     text.resize(static_cast<std::size_t>(in.gcount()));
+    if (text.starts_with("\x7f"
+                         "ELF"))
+        return {};
     constexpr std::string_view between = " \t\n\r\"'`;|&()<>={}:,";
     std::vector<fs::path> found;
-    bool behind_exec = false;
+    bool behind_exec = false, behind_source = false;
     for (std::size_t at = text.find_first_not_of(between); at != std::string::npos;
          at = text.find_first_not_of(between, at)) {
         const std::size_t end = std::min(text.find_first_of(between, at), text.size());
         const std::string word = text.substr(at, end - at);
-        const bool named = word.starts_with('/') || behind_exec;
+        const bool named = word.starts_with('/') || behind_exec, sourced = behind_source;
         behind_exec = word == "exec";
+        behind_source = word == "." || word == "source";
         at = end;
-        if (!named || word.find('\0') != std::string::npos) continue;
-        if (const auto program = find_program(word)) found.push_back(fs::canonical(*program));
+        std::error_code error;
+        if (word.find('\0') != std::string::npos) continue;
+        if (sourced && fs::is_regular_file(word, error)) {
+            found.push_back(fs::canonical(word));
+        } else if (const auto program = named ? find_program(word) : std::nullopt) {
+            found.push_back(fs::canonical(*program));
+        }
     }
     return found;
 }
@@ -74,7 +83,7 @@ class Collection {
         constexpr int deepest = 4;  // as Linux has it
         if (!all_.insert(program).second || depth > deepest) return;
         const auto interpreters = interpreters_of(program);
-        if (interpreters.empty()) return add_libraries(program);
+        if (interpreters.empty()) add_libraries(program);
         for (const auto& interpreter : interpreters)
             add_program(interpreter, depth + 1);
         for (const auto& named : programs_named_in(program)) {

@@ -22,10 +22,10 @@ struct ProgramFiles {
 
 /// The digest covers the executable, its shared libraries as the loader finds them, and the further
 /// files with their libraries; of a script ("#!"), the script, its interpreter, and the programs
-/// that it names by an absolute path or behind `exec`. It depends on the names and contents of the
-/// files, not on the directories they are in. What a script starts otherwise, or a program loads by
-/// itself later, is not known unless it is named. Throws std::system_error if a file cannot be read
-/// or a library is missing, Interrupted on a stop request.
+/// that it names by an absolute path or behind `exec`, `.` or `source`. It depends on the names and
+/// contents of the files, not on the directories they are in. What a script starts otherwise, or a
+/// program loads by itself later, is not known unless it is named. Throws std::system_error if a
+/// file cannot be read or a library is missing, Interrupted on a stop request.
 [[nodiscard]] ProgramIdentity identify(const ProgramFiles& files, const std::stop_token& stop);
 
 }  // namespace crossgrain::adapters::process

@@ -26,9 +26,11 @@ std::optional<int> locked_mark(const fs::path& directory, bool create) {
     const int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW | (create ? O_CREAT | O_EXCL : 0);
     const int file = open(mark.c_str(), flags, 0600);
     // Without the directory a sweep was faster.
-    if (file < 0 && create && errno != ENOENT)
-        throw fs::filesystem_error("cannot mark a directory as in use", mark,
-                                   std::error_code(errno, std::generic_category()));
+    if (file < 0 && create && errno != ENOENT) {
+        const std::error_code cause(errno, std::generic_category());
+        rmdir(directory.c_str());
+        throw fs::filesystem_error("cannot mark a directory as in use", mark, cause);
+    }
     if (file < 0) return std::nullopt;
     // Its holder may have removed it since: then the directory of that name is a new one.
     struct stat found {};
@@ -60,6 +62,18 @@ std::vector<fs::path> directories_in(const fs::path& parent) {
     return found;
 }
 
+/// The mark goes last: who is killed in between leaves what the next sweep takes.
+void remove_marked(const fs::path& directory) {
+    std::error_code ignored;
+    for (fs::directory_iterator entry(directory, ignored), end; !ignored && entry != end;) {
+        const fs::path path = entry->path();
+        entry.increment(ignored);
+        std::error_code left;
+        if (path.filename() != mark_name) fs::remove_all(path, left);
+    }
+    fs::remove_all(directory, ignored);
+}
+
 }  // namespace
 
 ScratchDirectory::ScratchDirectory(const fs::path& parent, const std::string& stem)
@@ -86,8 +100,7 @@ ScratchDirectory::ScratchDirectory(const fs::path& parent, const std::string& st
 
 ScratchDirectory::~ScratchDirectory() {
     if (lock_ < 0) return;
-    std::error_code ignored;  // the next sweep removes what is left
-    fs::remove_all(path_, ignored);
+    remove_marked(path_);
     close(lock_);
 }
 
@@ -110,12 +123,11 @@ void ScratchDirectory::keep() noexcept {
 void sweep(const fs::path& parent) noexcept {
     try {
         for (const auto& directory : directories_in(parent)) {
-            std::error_code ignored;
             // Empty: its maker died before it was marked.
             if (ends_in_number(directory.filename().string())) rmdir(directory.c_str());
             const auto mark = locked_mark(directory, false);
             if (!mark) continue;
-            fs::remove_all(directory, ignored);
+            remove_marked(directory);
             close(*mark);
         }
     } catch (const std::exception&) {

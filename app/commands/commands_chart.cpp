@@ -33,7 +33,7 @@ void write_charts(const std::vector<Chart>& charts, const nlohmann::json& docume
 int chart_cases(const Settings& given, std::stop_token stop) {
     Settings settings = given;
     settings.suite = catalog::Suite::chart;
-    store::Store store = open_store(settings, store::Access::write);
+    store::Store store = open_store(settings, store::Access::write_later);
     const auto report = run_session(settings, store, std::move(stop), true);
     std::vector<Chart> charts;
     nlohmann::json list = nlohmann::json::array();

@@ -20,9 +20,21 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
+#include <string>
 
 namespace crossgrain::app {
 namespace {
+
+/// Codes that are not on this machine, with the reason.
+std::map<std::string, std::string> absent_codes(const SessionReport& report) {
+    std::map<std::string, std::string> absent;
+    for (const auto& item : report.cases) {
+        for (const auto& run : item.runs.records())
+            if (run.status == "not_installed") absent[run.code] = run.reason;
+    }
+    return absent;
+}
 
 /// What happened besides the results, on stderr; and the exit code.
 int close_session(const SessionReport& report, const Settings& settings) {
@@ -30,6 +42,8 @@ int close_session(const SessionReport& report, const Settings& settings) {
     if (!report.store_error.empty()) {
         print_note("error: {}; the results above are complete but not stored", report.store_error);
     }
+    for (const auto& [code, reason] : absent_codes(report))
+        print_note("{} is not installed: {}", code, reason);
     if (report.interrupted) {
         print_note("interrupted: {} runs are stored; the same command goes on from there",
                    report.computed + report.from_store);
@@ -88,7 +102,7 @@ void open_in_browser(const std::filesystem::path& page) {
 }  // namespace
 
 int run_cases(const Settings& settings, std::stop_token stop) {
-    store::Store store = open_store(settings, store::Access::write);
+    store::Store store = open_store(settings, store::Access::write_later);
     const auto report = run_session(settings, store, std::move(stop), true);
     print_cases(report, settings);
     return close_session(report, settings);
@@ -138,7 +152,7 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
                         "gas-friction"};
         if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
     }
-    store::Store store = open_store(settings, store::Access::write);
+    store::Store store = open_store(settings, store::Access::write_later);
     const auto report = run_session(parity, store, std::move(stop), true);
     if (settings.json) {
         auto document = certificate_document(report);
@@ -156,7 +170,7 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
 }
 
 int validate(const Settings& settings, std::stop_token stop) {
-    store::Store store = open_store(settings, store::Access::write);
+    store::Store store = open_store(settings, store::Access::write_later);
     const auto report = run_session(settings, store, std::move(stop), true);
     std::exception_ptr failure;
     if (!report.interrupted)

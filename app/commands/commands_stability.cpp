@@ -232,7 +232,7 @@ std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& s
 
 int map_stability(const Settings& settings, const std::stop_token& stop) {
     const auto cases = suited_cases(settings, stop);
-    store::Store store = open_store(settings, store::Access::write);
+    store::Store store = open_store(settings, store::Access::write_later);
     std::vector<StabilityReport> reports;
     int code = exit_ok;
     for (const auto& the_case : cases) {

@@ -140,7 +140,7 @@ RunSlice SelftestBench::plan_defective(const catalog::Case& the_case, const adap
 }
 
 void SelftestBench::carry_out(const std::stop_token& stop) {
-    store::Store store = open_store(settings_, store::Access::write);
+    store::Store store = open_store(settings_, store::Access::write_later);
     RunSummary summary = app::carry_out(std::move(planned_), store, settings_, stop, true);
     records_ = std::move(summary.records);
     interrupted_ = summary.interrupted;

@@ -69,6 +69,7 @@ Database::Database(fs::path directory, Access access, Note note)
     : directory_(std::move(directory)), file_(directory_ / "crossgrain.db"), note_(std::move(note)),
       wait_(std::make_unique<Wait>(Wait{.database = *this, .start = {}})) {
     if (access == Access::read) require_directory();
+    require_plain_file();
     guarded([&] { access == Access::write ? open_to_write() : open_to_read(); });
 }
 
@@ -136,6 +137,15 @@ void Database::require_directory() const {
     throw StoreError(fmt::format("results directory {} {}; name one with --results in which cases "
                                  "were run, or run some first",
                                  directory_.string(), what));
+}
+
+/// Neither a pipe, which blocks, nor a link to where nothing is, which would be made there.
+void Database::require_plain_file() const {
+    std::error_code error;
+    const bool there = fs::symlink_status(file_, error).type() != fs::file_type::not_found;
+    if (error || !there || fs::is_regular_file(file_, error)) return;
+    throw StoreError(
+        fmt::format("results directory {}: crossgrain.db is no regular file", directory_.string()));
 }
 
 /// The log of a writer needs a file beside the database, even to read. Where none can be made

@@ -40,6 +40,7 @@ class Database {
     [[nodiscard]] StoreError failure(const SQLite::Exception& error) const;
     void open_to_write();
     void require_directory() const;
+    void require_plain_file() const;
     void open_to_read();
     void connect(const std::string& name, int flags);
     [[nodiscard]] int format() const;

@@ -121,15 +121,25 @@ std::string utc_now() {
 }
 
 Store::Store(const std::filesystem::path& directory, Access access, Note note)
-    : directory_(directory),
-      database_(std::make_unique<Database>(directory, access, std::move(note))) {}
+    : directory_(directory), note_(std::move(note)) {
+    if (access == Access::write_later) return;
+    std::call_once(opened_,
+                   [&] { database_ = std::make_unique<const Database>(directory, access, note_); });
+}
+
+const Database& Store::database() const {
+    std::call_once(opened_, [&] {
+        database_ = std::make_unique<const Database>(directory_, Access::write, note_);
+    });
+    return *database_;
+}
 
 Store::~Store() = default;
 
 std::optional<RunRecord> Store::find(const std::string& key) const {
-    return database_->guarded([&]() -> std::optional<RunRecord> {
+    return database().guarded([&]() -> std::optional<RunRecord> {
         SQLite::Statement query(
-            database_->sqlite(),
+            database().sqlite(),
             fmt::format("SELECT {}, results FROM run LEFT JOIN result ON run_id = id "
                         "WHERE key = ? AND status IN ('ok', 'run_failed') "
                         "ORDER BY id DESC LIMIT 1",
@@ -143,7 +153,7 @@ std::optional<RunRecord> Store::find(const std::string& key) const {
         } catch (const SQLite::Exception&) {
             throw;
         } catch (const std::exception& damage) {  // what reads JSON throws several kinds
-            database_->note(fmt::format("a stored run of {} ({}) is damaged and not used: {}",
+            database().note(fmt::format("a stored run of {} ({}) is damaged and not used: {}",
                                         printable(query.getColumn(2).getString()),
                                         printable(query.getColumn(5).getString()),
                                         printable(damage.what())));
@@ -154,8 +164,8 @@ std::optional<RunRecord> Store::find(const std::string& key) const {
 
 std::optional<std::string> Store::last_digest(const std::string& code,
                                               const std::string& version) const {
-    return database_->guarded([&]() -> std::optional<std::string> {
-        SQLite::Statement query(database_->sqlite(),
+    return database().guarded([&]() -> std::optional<std::string> {
+        SQLite::Statement query(database().sqlite(),
                                 "SELECT digest FROM run WHERE code = ? AND version = ? AND "
                                 "digest <> '' ORDER BY id DESC LIMIT 1");
         SQLite::bind(query, code, version);
@@ -169,8 +179,8 @@ std::int64_t Store::add(const RunRecord& run) {
     for (const auto& picture : run.results.pictures)
         require_complete(picture);
     const std::vector<std::uint8_t> blob = blob_of(run.results);
-    return database_->guarded([&] {
-        auto& db = database_->sqlite();
+    return database().guarded([&] {
+        auto& db = database().sqlite();
         SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
         SQLite::Statement insert(
             db, "INSERT INTO run VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
@@ -198,23 +208,23 @@ std::int64_t Store::add(const RunRecord& run) {
 }
 
 Entry Store::begin_entry(Entry entry) {
-    return database_->guarded([&] {
+    return database().guarded([&] {
         entry.created = utc_now();
         SQLite::Statement insert(
-            database_->sqlite(),
+            database().sqlite(),
             "INSERT INTO entry (created, command, version, machine) VALUES (?,?,?,?)");
         SQLite::bind(insert, entry.created, entry.command, entry.version, entry.machine);
         insert.exec();
-        entry.id = database_->sqlite().getLastInsertRowid();
+        entry.id = database().sqlite().getLastInsertRowid();
         return entry;
     });
 }
 
 void Store::add_verdicts(const Entry& entry, const std::string& case_name,
                          const std::vector<compare::Verdict>& verdicts) {
-    database_->guarded([&] {
-        SQLite::Transaction transaction(database_->sqlite());
-        SQLite::Statement insert(database_->sqlite(),
+    database().guarded([&] {
+        SQLite::Transaction transaction(database().sqlite());
+        SQLite::Statement insert(database().sqlite(),
                                  "INSERT INTO verdict VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)");
         for (const auto& v : verdicts) {
             SQLite::bind(insert, entry.id, case_name, v.code, v.observable,
@@ -229,8 +239,8 @@ void Store::add_verdicts(const Entry& entry, const std::string& case_name,
 }
 
 std::vector<HistoryPoint> Store::history() const {
-    return database_->guarded([&] {
-        SQLite::Statement query(database_->sqlite(), R"(
+    return database().guarded([&] {
+        SQLite::Statement query(database().sqlite(), R"(
             SELECT id, case_name, variant, code, version, created, settings, seed, cpu_s,
                    m.observable, m.unit, m.value, m.stderr
               FROM run LEFT JOIN measurement m ON m.run_id = id
@@ -257,7 +267,7 @@ std::vector<HistoryPoint> Store::history() const {
             points.push_back(std::move(point));
         }
         if (damaged > 0) {
-            database_->note(
+            database().note(
                 fmt::format("{} stored measurements are damaged and left out", damaged));
         }
         return points;

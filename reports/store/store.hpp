@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,8 @@ class Store {
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;
 
+    /// Opens what was to be opened later; otherwise nothing.
+    void open() const { (void)database(); }
     /// The newest run with this key, whether it succeeded or failed.
     [[nodiscard]] std::optional<RunRecord> find(const std::string& key) const;
     /// Digest of the program that made the newest run of this code and version; nothing if there is
@@ -84,8 +87,12 @@ class Store {
     [[nodiscard]] const std::filesystem::path& directory() const noexcept { return directory_; }
 
   private:
+    [[nodiscard]] const Database& database() const;
+
     std::filesystem::path directory_;
-    std::unique_ptr<Database> database_;
+    Note note_;
+    mutable std::once_flag opened_;
+    mutable std::unique_ptr<const Database> database_;
 };
 
 /// Now, as "2026-01-31T12:00:00Z".

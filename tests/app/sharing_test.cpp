@@ -197,6 +197,15 @@ BOOST_AUTO_TEST_CASE(results_that_are_not_there_are_not_made_by_those_who_read) 
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_call_that_is_refused_leaves_the_results_as_they_were) {
+    for (const char* command : {"run", "certify", "chart", "validate", "stability"}) {
+        const Program crossgrain;
+        fs::create_directories(crossgrain.results());
+        BOOST_TEST(crossgrain({command, "no-such-case"}).status == 2);
+        BOOST_TEST(fs::is_empty(crossgrain.results()), command);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_damaged_row_is_computed_again) {
     const Program crossgrain;
     const auto file = crossgrain.case_with("small-gas", "name = ", "name = ");
@@ -211,5 +220,11 @@ BOOST_AUTO_TEST_CASE(a_damaged_row_is_computed_again) {
     BOOST_TEST(again.status == 0);
     BOOST_TEST(again.says("is damaged and not used"));
     BOOST_TEST(again.says("1 runs computed"));
+    {
+        SQLite::Database store((crossgrain.results() / "crossgrain.db").string(),
+                               SQLite::OPEN_READWRITE);
+        store.exec("UPDATE run SET code = 'another'");
+    }
+    BOOST_TEST(crossgrain(command).says("claims to be one of another and is not used"));
     BOOST_TEST(crossgrain(command).says("0 runs computed"));
 }

@@ -60,6 +60,17 @@ BOOST_AUTO_TEST_CASE(a_wrapper_is_also_what_it_starts) {
     BOOST_TEST(digest_of(wrapper) == before);
     write(real, "#!/bin/sh\necho 2\n");
     BOOST_TEST(digest_of(wrapper) != before);
+    // A file that is sourced is a script without a first line.
+    const auto library = directory.path() / "settings.sh";
+    std::ofstream(library) << "start() { exec " << real.string() << "; }\n";
+    const auto sourcing = write(directory.path() / "sourcing",
+                                "#!/bin/sh\n. " + library.string() + "\nstart \"$@\"\n");
+    const auto first = digest_of(sourcing);
+    write(real, "#!/bin/sh\necho 3\n");
+    const auto second = digest_of(sourcing);
+    BOOST_TEST(first != second);
+    std::ofstream(library) << "start() { exec lmp; }\n";
+    BOOST_TEST(digest_of(sourcing) != second);
     // One that starts itself comes to an end.
     BOOST_TEST(digest_of(write(real, "#!/bin/sh\nexec " + real.string() + "\n")).size() == 64);
 }

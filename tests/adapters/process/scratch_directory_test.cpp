@@ -83,6 +83,28 @@ BOOST_AUTO_TEST_CASE(a_sweep_takes_what_a_killed_process_left_and_nothing_else) 
     BOOST_TEST(fs::exists(parent.path() / "file"));
 }
 
+BOOST_AUTO_TEST_CASE(a_removal_that_is_cut_short_is_finished_by_the_next_sweep) {
+    const TemporaryDirectory parent;
+    const fs::path half = parent.path() / "case-1";
+    constexpr std::size_t files = 20'000;
+    fs::create_directories(half);
+    for (std::size_t i = 0; i < files; ++i)
+        std::ofstream(half / std::to_string(i)) << "x";
+    std::ofstream(half / "running") << "x";
+    const pid_t remover = fork();
+    if (remover == 0) {
+        sweep(parent.path());
+        _exit(0);
+    }
+    while (entries_in(half) > files - 100) {
+    }
+    kill(remover, SIGKILL);
+    waitpid(remover, nullptr, 0);
+    BOOST_TEST(fs::exists(half / "running"));
+    sweep(parent.path());
+    BOOST_TEST(!fs::exists(half));
+}
+
 BOOST_AUTO_TEST_CASE(a_link_is_not_followed) {
     const TemporaryDirectory parent, elsewhere;
     std::ofstream(elsewhere.path() / "running") << "x";

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace crossgrain;
@@ -223,6 +224,29 @@ BOOST_AUTO_TEST_CASE(a_file_in_a_directory_without_write_permission_is_read) {
     }
     for (const auto& path : {directory.path(), odd})
         fs::permissions(path, fs::perms::owner_all);
+}
+
+BOOST_AUTO_TEST_CASE(a_store_for_later_is_made_when_it_is_used) {
+    const TemporaryDirectory directory;
+    const auto later = directory.path() / "results";
+    const Store results(later, store::Access::write_later);
+    BOOST_TEST(!std::filesystem::exists(later));
+    BOOST_TEST(!results.find("key").has_value());
+    BOOST_TEST(std::filesystem::exists(later / "crossgrain.db"));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_regular_file_is_not_opened) {
+    const TemporaryDirectory directory;
+    const auto file = directory.path() / "crossgrain.db", target = directory.path() / "elsewhere";
+    BOOST_TEST_REQUIRE(mkfifo(file.c_str(), 0600) == 0);
+    for (const auto access : {store::Access::read, store::Access::write}) {
+        const std::string line = failure([&] { const Store results(directory.path(), access); });
+        BOOST_TEST(line.find("no regular file") != std::string::npos, line);
+    }
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink(target, file);
+    (void)failure_to_open(directory.path());
+    BOOST_TEST(!std::filesystem::exists(target));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_cannot_be_stored_leaves_no_half_of_it) {
