@@ -3,6 +3,7 @@
 #include "adapters/program/error_line.hpp"
 #include "adapters/program/native_choice.hpp"
 #include "adapters/program/own_conventions.hpp"
+#include "adapters/yade/left_folders.hpp"
 #include "adapters/yade/module_files.hpp"
 #include "adapters/yade/scene_script.hpp"
 #include "adapters/yade/yade_errors.hpp"
@@ -74,6 +75,7 @@ std::vector<std::string> YadeCode::version_arguments() const {
 }
 
 Availability YadeCode::availability_from(const std::string& answer) const {
+    yade::sweep_folders();
     if (const auto version = version_in(answer)) return {.installed = true, .version = *version};
     return {.reason = fmt::format("'{} --version' does not name a version of YADE", program())};
 }
