@@ -4,6 +4,7 @@
 #include "app/output.hpp"
 #include "app/session.hpp"
 #include "app/signal_stop.hpp"
+#include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
 
@@ -204,6 +205,20 @@ bool only_reads(const CLI::App& command) {
     return std::ranges::find(names, command.get_name()) != names.end();
 }
 
+/// What was wrong with the command line. CLI11 misses a command before it looks at the words that
+/// are left.
+std::string complaint_of(const CLI::App& program, const CLI::ParseError& error) {
+    const auto left = program.remaining();
+    if (left.empty() || error.get_exit_code() != static_cast<int>(CLI::ExitCodes::RequiredError))
+        return printable(error.what(), longest_message);
+    std::vector<std::string> commands;
+    for (const auto* command : program.get_subcommands({}))
+        commands.push_back(command->get_name());
+    const auto near = toml_input::nearest(left.front(), commands);
+    return fmt::format("'{}' is no command or option{}", printable(left.front(), longest_message),
+                       near ? fmt::format(", did you mean '{}'?", *near) : "");
+}
+
 int run_program(int argc, char** argv, app::SignalStop& stop) {
     CLI::App program{"crossgrain: cross-validation of granular codes"};
     program.set_version_flag("--version", app::program_version());
@@ -225,8 +240,7 @@ int run_program(int argc, char** argv, app::SignalStop& stop) {
         const bool asked = program.exit(error, text, complaint) == 0;  // for help or the version
         app::print_result_text(text.str());
         if (asked) return app::exit_ok;
-        app::print_note("error: {}; see 'crossgrain --help'",
-                        printable(error.what(), longest_message));
+        app::print_note("error: {}; see 'crossgrain --help'", complaint_of(program, error));
         return app::exit_usage;
     }
     auto* command = program.get_subcommands().front();

@@ -18,9 +18,8 @@ namespace crossgrain::app {
 template <class Entry>
 const Entry& entry_for(const std::vector<Entry>& entries, const catalog::Case& the_case,
                        const catalog::ObservableRequest& request) {
-    std::vector<std::string> names;
-    for (const auto& entry : entries)
-        names.push_back(entry.name);
+    std::vector<std::string> names(entries.size());
+    std::ranges::transform(entries, names.begin(), &Entry::name);
     const auto found = std::find(names.begin(), names.end(), request.name);
     if (found == names.end()) {
         const auto near = toml_input::nearest(request.name, names);

@@ -255,7 +255,8 @@ Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
     try {
         generate_initial_state(scene, recipe, sizes);
     } catch (const std::invalid_argument& error) {
-        throw t.error("initial", "cannot be made", error.what(), "a state without contacts");
+        throw t.error("initial", "cannot be made", error.what(),
+                      "grains apart from each other, of a number that is within bounds");
     }
     return scene;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -26,7 +27,7 @@ std::optional<Character> first_character(std::string_view text) {
         if ((byte(i) & 0xC0U) != 0x80) return std::nullopt;
         code = (code << 6U) | (byte(i) & 0x3FU);
     }
-    constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
     if (code < least[bytes] || surrogate || code > 0x10FFFF) return std::nullopt;
     return Character{code, bytes};

@@ -53,10 +53,10 @@ struct HistoryPoint {
     double standard_error = 0;
 };
 
-/// All functions throw StoreError. A stored run that is damaged counts as not stored: `note` is
-/// told of it.
 class Database;
 
+/// All functions throw StoreError. A stored run that is damaged counts as not stored: `note` is
+/// told of it.
 class Store {
   public:
     /// Opens <directory>/crossgrain.db (database.hpp).
