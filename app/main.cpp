@@ -1,12 +1,15 @@
 // The command line. Errors become one line on stderr and an exit code.
+#include "adapters/registry/program_version.hpp"
 #include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/option_rules.hpp"
 #include "app/output.hpp"
-#include "app/session.hpp"
+#include "app/progress.hpp"
 #include "app/signal_stop.hpp"
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
+#include "reports/session/session.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -221,7 +224,7 @@ std::string complaint_of(const CLI::App& program, const CLI::ParseError& error) 
 
 int run_program(int argc, char** argv, app::SignalStop& stop) {
     CLI::App program{"crossgrain: cross-validation of granular codes"};
-    program.set_version_flag("--version", app::program_version());
+    program.set_version_flag("--version", adapters::program_version());
     program.require_subcommand(1);
     program.fallthrough();
     Arguments arguments;
@@ -245,6 +248,8 @@ int run_program(int argc, char** argv, app::SignalStop& stop) {
     }
     auto* command = program.get_subcommands().front();
     choose_suite(*command, arguments);
+    app::TerminalMonitor monitor(settings.quiet);
+    settings.monitor = &monitor;
     return actions.at(command)(arguments, only_reads(*command) ? std::stop_token() : stop.listen());
 }
 

@@ -1,7 +1,7 @@
 #include "app/output.hpp"
 
 #include "native/base/printable.hpp"
-#include "reports/web/document.hpp"
+#include "reports/documents/json_text.hpp"
 
 #include <atomic>
 #include <cerrno>

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -24,34 +27,56 @@ int terminal_columns() {
     return known ? size.ws_col : 80;
 }
 
-}  // namespace
+class TerminalProgress final : public run::Progress {
+  public:
+    TerminalProgress(std::size_t runs, double total_seconds, unsigned workers);
+    ~TerminalProgress() override;
+    TerminalProgress(const TerminalProgress&) = delete;
+    TerminalProgress& operator=(const TerminalProgress&) = delete;
 
-Progress::Progress(bool quiet, std::size_t runs, double total_seconds, unsigned workers)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), runs_(runs), total_(total_seconds),
+    void advanced(const std::string& run, double seconds, double fraction) override;
+    void finished(const std::string& run, double seconds, const std::string& how) override;
+
+  private:
+    void redraw();
+    void clear_line() const;
+    [[nodiscard]] double fraction_done() const;
+    /// From the time it took so far; "?" before anything is known.
+    [[nodiscard]] std::string time_left() const;
+
+    using Clock = std::chrono::steady_clock;
+    bool terminal_;
+    std::size_t runs_, ended_ = 0;
+    double total_, ended_seconds_ = 0;
+    std::map<std::string, double> running_;
+    Clock::time_point start_, drawn_;
+    std::mutex mutex_;
+};
+
+TerminalProgress::TerminalProgress(std::size_t runs, double total_seconds, unsigned workers)
+    : terminal_(isatty(STDERR_FILENO) == 1), runs_(runs), total_(total_seconds),
       start_(Clock::now()), drawn_(start_) {
-    if (quiet_) return;
     print_note("{} {} to compute, about {} with {} side by side", runs, runs == 1 ? "run" : "runs",
                duration_text(total_seconds / workers), workers);
 }
 
-Progress::~Progress() {
+TerminalProgress::~TerminalProgress() {
     clear_line();
 }
 
-void Progress::advanced(const std::string& run, double seconds, double fraction) {
+void TerminalProgress::advanced(const std::string& run, double seconds, double fraction) {
     const std::lock_guard lock(mutex_);
     running_[run] = seconds * fraction;
     using namespace std::chrono_literals;
-    if (quiet_ || !terminal_ || Clock::now() - drawn_ < 200ms) return;
+    if (!terminal_ || Clock::now() - drawn_ < 200ms) return;
     redraw();
 }
 
-void Progress::finished(const std::string& run, double seconds, const std::string& how) {
+void TerminalProgress::finished(const std::string& run, double seconds, const std::string& how) {
     const std::lock_guard lock(mutex_);
     running_.erase(run);
     ended_seconds_ += seconds;
     ++ended_;
-    if (quiet_) return;
     if (terminal_) {
         redraw();
         return;
@@ -60,20 +85,20 @@ void Progress::finished(const std::string& run, double seconds, const std::strin
                printable(how));
 }
 
-double Progress::fraction_done() const {
+double TerminalProgress::fraction_done() const {
     double done = ended_seconds_;
     for (const auto& [run, seconds] : running_)
         done += seconds;
     return total_ > 0 ? std::min(1.0, done / total_) : 1.0;
 }
 
-std::string Progress::time_left() const {
+std::string TerminalProgress::time_left() const {
     const double fraction = fraction_done();
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     return fraction > 0.01 ? duration_text(elapsed * (1 - fraction) / fraction) : "?";
 }
 
-void Progress::redraw() {
+void TerminalProgress::redraw() {
     drawn_ = Clock::now();
     constexpr int width = 30;
     const int filled = static_cast<int>(fraction_done() * width);
@@ -86,8 +111,24 @@ void Progress::redraw() {
     write_to_stderr(fmt::format("\r\033[K{:.{}}", line, terminal_columns() - 1));
 }
 
-void Progress::clear_line() const {
-    if (terminal_ && !quiet_) write_to_stderr("\r\033[K");
+void TerminalProgress::clear_line() const {
+    if (terminal_) write_to_stderr("\r\033[K");
+}
+
+}  // namespace
+
+void TerminalMonitor::note(const std::string& line) {
+    print_note("{}", line);
+}
+
+void TerminalMonitor::remark(const std::string& line) {
+    if (!quiet_) print_note("{}", line);
+}
+
+std::unique_ptr<run::Progress> TerminalMonitor::begin(std::size_t runs, double total_seconds,
+                                                      unsigned workers) {
+    if (quiet_) return run::silent_monitor().begin(runs, total_seconds, workers);
+    return std::make_unique<TerminalProgress>(runs, total_seconds, workers);
 }
 
 }  // namespace crossgrain::app

@@ -2,41 +2,22 @@
 // run otherwise. All on stderr; stdout belongs to the results.
 #pragma once
 
-#include <chrono>
-#include <map>
-#include <mutex>
-#include <string>
+#include "adapters/run/monitor.hpp"
 
 namespace crossgrain::app {
 
-class Progress {
+/// On stderr; `quiet`: notes only.
+class TerminalMonitor final : public run::Monitor {
   public:
-    /// `total_seconds`: CPU seconds expected of all runs that will be computed, by `workers` side
-    /// by side. Says so before they start.
-    Progress(bool quiet, std::size_t runs, double total_seconds, unsigned workers);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    explicit TerminalMonitor(bool quiet) : quiet_(quiet) {}
 
-    /// A run has reached `fraction` of its expected `seconds`. Thread-safe, cheap.
-    void advanced(const std::string& run, double seconds, double fraction);
-    /// A run has ended, with one line about how.
-    void finished(const std::string& run, double seconds, const std::string& how);
+    void note(const std::string& line) override;
+    void remark(const std::string& line) override;
+    [[nodiscard]] std::unique_ptr<run::Progress> begin(std::size_t runs, double total_seconds,
+                                                       unsigned workers) override;
 
   private:
-    void redraw();
-    void clear_line() const;
-    [[nodiscard]] double fraction_done() const;
-    /// From the time it took so far; "?" before anything is known.
-    [[nodiscard]] std::string time_left() const;
-
-    using Clock = std::chrono::steady_clock;
-    bool quiet_, terminal_;
-    std::size_t runs_, ended_ = 0;
-    double total_, ended_seconds_ = 0;
-    std::map<std::string, double> running_;
-    Clock::time_point start_, drawn_;
-    std::mutex mutex_;
+    bool quiet_;
 };
 
 }  // namespace crossgrain::app

@@ -1,6 +1,8 @@
 #include "app/signal_stop.hpp"
 
-#include "app/session.hpp"
+#include "app/exit_code.hpp"
+
+#include "reports/session/session.hpp"
 
 #include <cerrno>
 #include <chrono>

@@ -8,7 +8,7 @@ set -euo pipefail
 
 [[ $# -eq 2 ]] || { sed -n 's/^# Usage: /usage: /p' "$0" >&2; exit 2; }
 schema_version=$(sed -nE 's/.*schema_version = ([0-9]+);/\1/p' \
-    "$(dirname "$0")/../reports/store/schema.hpp")
+    "$(dirname "$0")/../adapters/run/store/schema.hpp")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for side in 1 2; do

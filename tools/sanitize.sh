@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 preset=${1:-asan-ubsan}
-core='^(base|toml|cases|fuzz|reports)_|^catalog_(case_file|sweep|variants)$'
+core='^(base|toml|cases|fuzz|reports|store)_|^catalog_(case_file|sweep|variants)$'
 core+='|^adapters_(dump|dump_number|process|guard|identity|probe|program|scratch|temporary)'
 core+='|^(dem_simd|dem_neighbour_list|friction_kernels|hopper_fast_engine|lga_engines_agree)$'
 select=(-L unit -LE 'web|external')

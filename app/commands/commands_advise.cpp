@@ -1,13 +1,15 @@
 // crossgrain advise: from the store alone; what is missing is said, with what it will cost.
-#include "app/catalogue/catalogue.hpp"
-#include "app/chart/advise.hpp"
-#include "app/chart/expected_cost.hpp"
+#include "adapters/registry/codes.hpp"
+#include "adapters/run/expected_cost.hpp"
+#include "adapters/run/plan.hpp"
 #include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/plan.hpp"
 #include "app/progress.hpp"
-#include "app/session.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/machine.hpp"
+#include "reports/session/session.hpp"
+#include "reports/studies/chart/advise.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,11 +19,11 @@ namespace {
 
 using nlohmann::json;
 
-std::string way(const ChartPoint& point) {
+std::string way(const studies::ChartPoint& point) {
     return point.variant.empty() ? point.code : fmt::format("{} {}", point.code, point.variant);
 }
 
-std::string text_of(const Advice& advice) {
+std::string text_of(const studies::Advice& advice) {
     std::string text = fmt::format("{} within {:g}:\n", advice.observable, advice.tolerance);
     if (const auto& best = advice.cheapest) {
         text += fmt::format("  enough: {}, {} run{}, {:.3g} CPU s; bias {:.2g} +- {:.1g}, scatter "
@@ -46,7 +48,7 @@ std::string text_of(const Advice& advice) {
     return text;
 }
 
-json point_json(const ChartPoint& point) {
+json point_json(const studies::ChartPoint& point) {
     return {{"code", point.code},
             {"variant", point.variant},
             {"bias", point.bias},
@@ -54,7 +56,7 @@ json point_json(const ChartPoint& point) {
             {"scatter", point.scatter}};
 }
 
-json json_of(const Advice& advice) {
+json json_of(const studies::Advice& advice) {
     json result{{"observable", advice.observable},
                 {"tolerance", advice.tolerance},
                 {"enough", nullptr},
@@ -86,21 +88,21 @@ struct Missing {
     double cpu_s = 0;
 };
 
-Missing missing_runs(const SessionReport& report, const Settings& settings) {
+Missing missing_runs(const session::SessionReport& report, const Settings& settings) {
     Missing missing;
-    const auto codes = select_codes(settings.codes);
+    const auto codes = adapters::select_codes(settings.codes);
     for (const auto& item : report.cases) {
         std::size_t i = 0;
-        for (const auto& run : plan(*item.the_case, codes, settings)) {
+        for (const auto& run : run::plan(*item.the_case, codes, settings)) {
             if (item.runs.records()[i++].status != "not_run") continue;
             ++missing.runs;
-            missing.cpu_s += expected_seconds(run);
+            missing.cpu_s += run::expected_seconds(run);
         }
     }
     return missing;
 }
 
-CaseError unknown_observable(const Chart& chart, const std::string& asked) {
+CaseError unknown_observable(const studies::Chart& chart, const std::string& asked) {
     std::string known;
     for (const auto& o : chart.observables)
         known += (known.empty() ? "" : ", ") + o.observable;
@@ -115,8 +117,8 @@ CaseError unknown_observable(const Chart& chart, const std::string& asked) {
 int advise_case(const Settings& given, const AdviseRequest& request) {
     Settings settings = given;
     settings.suite = catalog::Suite::chart;
-    store::Store store = open_store(settings, store::Access::read);
-    const auto report = run_session(settings, store, {}, false);
+    store::Store store = session::open_store(settings, store::Access::read);
+    const auto report = session::run_session(settings, store, {}, false);
     if (const Missing missing = missing_runs(report, settings); missing.runs > 0) {
         print_note("error: {} runs of the chart are not in the store; run 'crossgrain chart {}' "
                    "first, about {:.0f} s on {} cores",
@@ -124,12 +126,12 @@ int advise_case(const Settings& given, const AdviseRequest& request) {
                    this_machine().cores);
         return exit_run_failed;
     }
-    const Chart chart = chart_of(report.cases.front());
+    const studies::Chart chart = studies::chart_of(report.cases.front());
     json answers = json::array();
     bool enough = true;
     for (const auto& charted : chart.observables) {
         if (!charted.observable.starts_with(request.observable)) continue;
-        const Advice advice = advise(charted, request.tolerance);
+        const studies::Advice advice = studies::advise(charted, request.tolerance);
         enough = enough && advice.cheapest.has_value();
         answers.push_back(json_of(advice));
         if (!settings.json) print_result_text(text_of(advice));

@@ -1,11 +1,13 @@
 // crossgrain bench: speed side by side, in one run.
-#include "app/bench/bench.hpp"
 #include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/session.hpp"
-#include "app/text_table.hpp"
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/machine.hpp"
+#include "reports/documents/text_table.hpp"
+#include "reports/session/session.hpp"
+#include "tests/bench/bench.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,9 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-const Bench& bench_named(const std::string& name) {
+const bench::Bench& bench_named(const std::string& name) {
     std::vector<std::string> known;
-    for (const auto& bench : benches()) {
+    for (const auto& bench : bench::benches()) {
         if (bench.name == name) return bench;
         known.push_back(bench.name);
     }
@@ -29,7 +31,7 @@ const Bench& bench_named(const std::string& name) {
                      .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
 }
 
-json bench_json(const Bench& bench, const BenchReport& report) {
+json bench_json(const bench::Bench& bench, const bench::BenchReport& report) {
     const Machine machine = this_machine();
     json rows = json::array();
     for (const auto& row : report.rows) {
@@ -54,8 +56,8 @@ json bench_json(const Bench& bench, const BenchReport& report) {
             {"notes", report.notes}};
 }
 
-std::string rows_table(const BenchReport& report) {
-    TextTable table({"name", "size", "rate", "unit", "ratios", "details"});
+std::string rows_table(const bench::BenchReport& report) {
+    reports::TextTable table({"name", "size", "rate", "unit", "ratios", "details"});
     for (const auto& row : report.rows) {
         std::vector<std::string> ratios, details;
         for (const auto& [other, ratio] : row.ratios)
@@ -69,8 +71,8 @@ std::string rows_table(const BenchReport& report) {
     return table.text();
 }
 
-std::string targets_table(const BenchReport& report) {
-    TextTable table({"target", "measured", "promised", ""});
+std::string targets_table(const bench::BenchReport& report) {
+    reports::TextTable table({"target", "measured", "promised", ""});
     for (const auto& target : report.targets) {
         std::string promised;
         if (target.at_least != 0) promised = fmt::format(">= {:.3g}", target.at_least);
@@ -85,20 +87,21 @@ std::string targets_table(const BenchReport& report) {
 
 int run_benches(const Settings& settings, const std::vector<std::string>& names, bool quick,
                 std::stop_token stop) {
-    std::vector<const Bench*> chosen;
+    std::vector<const bench::Bench*> chosen;
     for (const auto& name : names)
         chosen.push_back(&bench_named(name));
     if (names.empty()) {
-        for (const auto& bench : benches())
+        for (const auto& bench : bench::benches())
             chosen.push_back(&bench);
     }
     json documents = json::array();
-    for (const Bench* bench : chosen) {
+    for (const bench::Bench* bench : chosen) {
         if (!settings.quiet) print_note("bench {}: {}", bench->name, bench->title);
         const auto progress = [&](const std::string& line) {
             if (!settings.quiet) print_note("  {}", line);
         };
-        const BenchReport report = bench->run({.quick = quick, .stop = stop, .progress = progress});
+        const bench::BenchReport report =
+            bench->run({.quick = quick, .stop = stop, .progress = progress});
         if (settings.json) {
             documents.push_back(bench_json(*bench, report));
             continue;

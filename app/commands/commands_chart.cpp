@@ -1,12 +1,15 @@
 // crossgrain chart: runs the ladders of cases, and writes what they cost against how far they are
 // off as JSON, CSV and a page.
-#include "app/catalogue/catalogue.hpp"
-#include "app/chart/chart_document.hpp"
+#include "adapters/registry/program_version.hpp"
 #include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/session.hpp"
-#include "reports/web/atomic_file.hpp"
-#include "reports/web/document.hpp"
+#include "native/base/machine.hpp"
+#include "native/base/share_directory.hpp"
+#include "reports/documents/atomic_file.hpp"
+#include "reports/documents/json_text.hpp"
+#include "reports/session/session.hpp"
+#include "reports/studies/chart/chart_document.hpp"
 #include "reports/web/web_report.hpp"
 
 #include <exception>
@@ -15,16 +18,17 @@ namespace crossgrain::app {
 namespace {
 
 /// The charts of this call below <directory>/charts, and the page of these and of earlier ones.
-void write_charts(const std::vector<Chart>& charts, const nlohmann::json& document,
+void write_charts(const std::vector<studies::Chart>& charts, const nlohmann::json& document,
                   const std::filesystem::path& directory) {
     for (std::size_t i = 0; i < charts.size(); ++i) {
-        const auto stem = (directory / "charts" / chart_stem(charts[i].case_name)).string();
-        reports::write_file_atomically(stem + ".csv", chart_csv(charts[i]));
+        const auto stem =
+            (directory / "charts" / studies::chart_stem(charts[i].case_name)).string();
+        reports::write_file_atomically(stem + ".csv", studies::chart_csv(charts[i]));
         reports::write_file_atomically(stem + ".json",
                                        reports::json_text(document["charts"][i], 1) + "\n");
     }
     nlohmann::json page = document;
-    add_earlier_charts(directory / "charts", page["charts"]);
+    studies::add_earlier_charts(directory / "charts", page["charts"]);
     reports::write_chart_page(page, directory, share_directory() / "web");
 }
 
@@ -33,18 +37,18 @@ void write_charts(const std::vector<Chart>& charts, const nlohmann::json& docume
 int chart_cases(const Settings& given, std::stop_token stop) {
     Settings settings = given;
     settings.suite = catalog::Suite::chart;
-    store::Store store = open_store(settings, store::Access::write_later);
-    const auto report = run_session(settings, store, std::move(stop), true);
-    std::vector<Chart> charts;
+    store::Store store = session::open_store(settings, store::Access::write_later);
+    const auto report = session::run_session(settings, store, std::move(stop), true);
+    std::vector<studies::Chart> charts;
     nlohmann::json list = nlohmann::json::array();
     for (const auto& item : report.cases) {
-        charts.push_back(chart_of(item));
-        list.push_back(chart_json(charts.back()));
+        charts.push_back(studies::chart_of(item));
+        list.push_back(studies::chart_json(charts.back()));
         list.back()["created"] = store::utc_now();
-        list.back()["version"] = program_version();
+        list.back()["version"] = adapters::program_version();
     }
     const Machine machine = this_machine();
-    const nlohmann::json document{{"version", program_version()},
+    const nlohmann::json document{{"version", adapters::program_version()},
                                   {"created", store::utc_now()},
                                   {"command", settings.command},
                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
@@ -56,7 +60,7 @@ int chart_cases(const Settings& given, std::stop_token stop) {
         print_document(document);
     } else {
         for (const auto& chart : charts)
-            print_results("{}\n", chart_table(chart));
+            print_results("{}\n", studies::chart_table(chart));
         if (!failure) print_results("written: {}\n", (directory / "charts.html").string());
     }
     if (failure) std::rethrow_exception(failure);

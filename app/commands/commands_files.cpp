@@ -1,23 +1,25 @@
 // crossgrain write | read: hand a scene's inputs out, take trajectories made elsewhere in.
-#include "app/catalogue/catalogue.hpp"
-#include "app/catalogue/estimators.hpp"
+#include "adapters/registry/codes.hpp"
+#include "adapters/run/model_runs.hpp"
+#include "adapters/run/plan.hpp"
+#include "adapters/run/preparation.hpp"
+#include "adapters/run/written_input.hpp"
 #include "app/commands/commands.hpp"
-#include "app/documents.hpp"
-#include "app/evaluate/evaluate.hpp"
-#include "app/model_runs.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/plan.hpp"
-#include "app/preparation.hpp"
-#include "app/session.hpp"
-#include "app/tables.hpp"
-#include "app/written_input.hpp"
+#include "cases/observables/estimators.hpp"
+#include "native/base/share_directory.hpp"
+#include "reference/judge/evaluate.hpp"
+#include "reports/documents/documents.hpp"
+#include "reports/documents/tables.hpp"
+#include "reports/session/session.hpp"
 
 #include "adapters/dump/dump_reader.hpp"
 #include "cases/scene/frame_guard.hpp"
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
-#include "reports/web/atomic_file.hpp"
+#include "reports/documents/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,7 +36,7 @@ std::shared_ptr<const catalog::Case> the_one_case(const Settings& settings,
                          .got = fmt::format("{}", settings.cases.size()),
                          .expected = "exactly one case"});
     }
-    return selected_cases(settings, stop).front();
+    return session::selected_cases(settings, stop).front();
 }
 
 std::size_t variant_index(const catalog::Case& the_case, const std::string& name) {
@@ -59,9 +61,9 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& 
                               const std::stop_token& stop) {
     const auto given = std::make_shared<const scene::AnyScene>(
         the_case.scene(variant, request.rung - 1, settings.seed));
-    const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, stop);
+    const auto ready = run::preparations_in(settings).prepared(given, the_case.time_limit, stop);
     const auto& scene = std::get<scene::Scene>(*ready);
-    const auto estimators = make_estimators(the_case, scene);
+    const auto estimators = observables::make_estimators(the_case, scene);
     scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
         if (stop.stop_requested()) throw Interrupted();
         for (const auto& estimator : estimators)
@@ -99,23 +101,23 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out, std
                          .expected = "the code whose input to write"});
     }
     const auto the_case = the_one_case(settings, stop);
-    const auto runs = plan(*the_case, select_codes(settings.codes), settings, stop);
-    std::vector<const PlannedRun*> expressible;
+    const auto runs = run::plan(*the_case, adapters::select_codes(settings.codes), settings, stop);
+    std::vector<const run::PlannedRun*> expressible;
     for (const auto& run : runs) {
-        if (const auto reason = cannot_express(*run.code, *run.scene)) {
+        if (const auto reason = run::cannot_express(*run.code, *run.scene)) {
             print_note("not_expressible: {}: {}", scene::name_of(*run.scene), *reason);
         } else {
             expressible.push_back(&run);
         }
     }
-    const auto names = input_directory_names(expressible);
-    Preparations preparations = preparations_in(settings);
-    std::vector<WrittenInput> inputs;
+    const auto names = run::input_directory_names(expressible);
+    run::Preparations preparations = run::preparations_in(settings);
+    std::vector<run::WrittenInput> inputs;
     for (std::size_t i = 0; i < expressible.size(); ++i) {
-        const PlannedRun& run = *expressible[i];
+        const run::PlannedRun& run = *expressible[i];
         const auto ready = preparations.prepared(run.scene, run.time_limit, stop);
-        inputs.push_back({.directory = out / names[i], .files = input_of(*run.code, *ready)});
-        prepare_directory(inputs.back());
+        inputs.push_back({.directory = out / names[i], .files = run::input_of(*run.code, *ready)});
+        run::prepare_directory(inputs.back());
     }
     for (const auto& [directory, files] : inputs) {
         for (const auto& file : files)
@@ -140,11 +142,11 @@ int read_dump(const Settings& settings, const ReadRequest& request, std::stop_to
                          .got = std::to_string(request.rung),
                          .expected = fmt::format("1 to {}", the_case->variants[variant].rungs)});
     }
-    store::Store store = open_store(settings, store::Access::read_if_there);
+    store::Store store = session::open_store(settings, store::Access::read_if_there);
     // The other codes' runs of the same scene, as far as the store has them, to compare with.
     Settings stored = settings;
     stored.codes.clear();
-    auto session = run_session(stored, store, {}, false);
+    auto session = session::run_session(stored, store, {}, false);
     std::vector<store::RunRecord> records{
         measure_dump(*the_case, request, variant, settings, stop)};
     const bool failed = records.front().status != "ok";
@@ -153,16 +155,17 @@ int read_dump(const Settings& settings, const ReadRequest& request, std::stop_to
         if (sibling && run.code != request.name) records.push_back(run);
     }
     const published::PublishedValues literature(share_directory() / "published");
-    CaseRuns runs(*the_case, std::move(records));
-    Evaluation evaluation = evaluate(runs, literature);
+    judge::CaseRuns runs(*the_case, std::move(records));
+    judge::Evaluation evaluation = judge::evaluate(runs, literature);
     std::erase_if(evaluation.verdicts, [&](const compare::Verdict& v) {
         return v.code != request.name && v.against != request.name;
     });
-    SessionReport report{.cases = {{the_case, std::move(runs), std::move(evaluation)}}};
+    session::SessionReport report{.cases = {{the_case, std::move(runs), std::move(evaluation)}}};
     if (settings.json) {
-        print_document(cases_document(report));
+        print_document(reports::cases_document(report));
     } else {
-        print_results("{}\n{}", case_table(report.cases.front()), exceptions_list(report));
+        print_results("{}\n{}", reports::case_table(report.cases.front()),
+                      reports::exceptions_list(report));
     }
     if (!failed) return exit_code(report, settings);
     // Not a run of ours that failed: the dump is bad input.

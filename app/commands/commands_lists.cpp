@@ -1,10 +1,13 @@
 // crossgrain codes | cases | observables: what is there.
-#include "app/catalogue/catalogue.hpp"
 #include "app/commands/commands.hpp"
-#include "app/documents.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/session.hpp"
-#include "app/text_table.hpp"
+#include "cases/observables/observables.hpp"
+#include "native/base/share_directory.hpp"
+#include "reference/oracles/oracles.hpp"
+#include "reports/documents/documents.hpp"
+#include "reports/documents/text_table.hpp"
+#include "reports/session/session.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,12 +27,12 @@ std::string program_text(const nlohmann::json& code) {
 }  // namespace
 
 int list_codes(const Settings& settings, std::stop_token stop) {
-    const auto document = codes_document(std::move(stop));
+    const auto document = reports::codes_document(std::move(stop));
     if (settings.json) {
         print_document(document);
         return exit_ok;
     }
-    TextTable table({"code", "status", "version", "program", "expresses"});
+    reports::TextTable table({"code", "status", "version", "program", "expresses"});
     for (const auto& code : document["codes"]) {
         bool first = true;
         for (const std::string feature : code["expresses"]) {
@@ -49,7 +52,7 @@ int list_codes(const Settings& settings, std::stop_token stop) {
 int list_cases(const Settings& settings) {
     const std::string directory = (share_directory() / "catalog").string();
     nlohmann::json list = nlohmann::json::array();
-    TextTable table({"case", "suites", "title", "source"});
+    reports::TextTable table({"case", "suites", "title", "source"});
     for (const auto& name : catalog::case_names(directory)) {
         const auto found = catalog::find_case(directory, name, settings.suite);
         nlohmann::json variants = nlohmann::json::array();
@@ -74,8 +77,8 @@ int list_cases(const Settings& settings) {
 
 int list_observables(const Settings& settings) {
     nlohmann::json list = nlohmann::json::array();
-    TextTable table({"observable", "model", "measures", "options"});
-    for (const auto& entry : observable_texts()) {
+    reports::TextTable table({"observable", "model", "measures", "options"});
+    for (const auto& entry : observables::observable_texts()) {
         list.push_back({{"observable", entry.name},
                         {"model", entry.model},
                         {"measures", entry.measures},
@@ -84,9 +87,9 @@ int list_observables(const Settings& settings) {
                    fmt::format("{}", fmt::join(entry.options, ", "))});
     }
     if (settings.json) {
-        print_document({{"observables", std::move(list)}, {"oracles", oracle_names()}});
+        print_document({{"observables", std::move(list)}, {"oracles", oracles::oracle_names()}});
     } else {
-        print_results("{}\noracles: {}\n", table.text(0), fmt::join(oracle_names(), ", "));
+        print_results("{}\noracles: {}\n", table.text(0), fmt::join(oracles::oracle_names(), ", "));
     }
     return exit_ok;
 }

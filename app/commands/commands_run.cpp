@@ -2,17 +2,20 @@
 #include "adapters/process/detached.hpp"
 #include "adapters/process/find_program.hpp"
 #include "app/commands/commands.hpp"
-#include "app/documents.hpp"
-#include "app/evaluate/attribution.hpp"
-#include "app/evaluate/compare_summary.hpp"
-#include "app/history.hpp"
-#include "app/models/models_table.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/session.hpp"
-#include "app/tables.hpp"
-#include "reports/web/atomic_file.hpp"
-#include "reports/web/csv.hpp"
-#include "reports/web/junit.hpp"
+#include "native/base/share_directory.hpp"
+#include "reports/documents/atomic_file.hpp"
+#include "reports/documents/csv.hpp"
+#include "reports/documents/documents.hpp"
+#include "reports/documents/junit.hpp"
+#include "reports/documents/summary.hpp"
+#include "reports/documents/tables.hpp"
+#include "reports/session/session.hpp"
+#include "reports/studies/attribution.hpp"
+#include "reports/studies/history.hpp"
+#include "reports/studies/models/models_table.hpp"
+#include "reports/web/report_document.hpp"
 #include "reports/web/web_report.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +30,7 @@ namespace crossgrain::app {
 namespace {
 
 /// Codes that are not on this machine, with the reason.
-std::map<std::string, std::string> absent_codes(const SessionReport& report) {
+std::map<std::string, std::string> absent_codes(const session::SessionReport& report) {
     std::map<std::string, std::string> absent;
     for (const auto& item : report.cases) {
         for (const auto& run : item.runs.records())
@@ -37,7 +40,7 @@ std::map<std::string, std::string> absent_codes(const SessionReport& report) {
 }
 
 /// What happened besides the results, on stderr; and the exit code.
-int close_session(const SessionReport& report, const Settings& settings) {
+int close_session(const session::SessionReport& report, const Settings& settings) {
     flush_results();
     if (!report.store_error.empty()) {
         print_note("error: {}; the results above are complete but not stored", report.store_error);
@@ -55,20 +58,21 @@ int close_session(const SessionReport& report, const Settings& settings) {
     return exit_code(report, settings);
 }
 
-void print_cases(const SessionReport& report, const Settings& settings) {
+void print_cases(const session::SessionReport& report, const Settings& settings) {
     if (settings.json) {
-        print_document(cases_document(report));
+        print_document(reports::cases_document(report));
         return;
     }
     for (const auto& item : report.cases)
-        print_results("{}\n", case_table(item));
-    print_results("{}\n{}", verdict_table(report), exceptions_list(report));
+        print_results("{}\n", reports::case_table(item));
+    print_results("{}\n{}", reports::verdict_table(report), reports::exceptions_list(report));
 }
 
 /// Pages, JUnit XML and CSV below <results>/report.
-void write_report_files(const SessionReport& report, const store::Store& store,
+void write_report_files(const session::SessionReport& report, const store::Store& store,
                         const Settings& settings) {
-    const auto document = report_document(report, history_of(store.history()), settings);
+    const auto document =
+        reports::report_document(report, studies::history_of(store.history()), settings.command);
     const auto directory = settings.results / "report";
     reports::write_web_report(document, directory, share_directory() / "web");
     reports::write_file_atomically(directory / "junit.xml", reports::junit_xml(document));
@@ -82,7 +86,7 @@ struct Compared {
     std::vector<std::string> cases, phenomena;
 };
 Compared split_phenomena(const std::vector<std::string>& names) {
-    const auto known = phenomenon_names(phenomena_directory());
+    const auto known = studies::phenomenon_names(studies::phenomena_directory());
     Compared compared;
     for (const auto& name : names) {
         const bool found = std::ranges::find(known, name) != known.end();
@@ -102,20 +106,20 @@ void open_in_browser(const std::filesystem::path& page) {
 }  // namespace
 
 int run_cases(const Settings& settings, std::stop_token stop) {
-    store::Store store = open_store(settings, store::Access::write_later);
-    const auto report = run_session(settings, store, std::move(stop), true);
+    store::Store store = session::open_store(settings, store::Access::write_later);
+    const auto report = session::run_session(settings, store, std::move(stop), true);
     print_cases(report, settings);
     return close_session(report, settings);
 }
 
 int compare_cases(const Settings& settings) {
-    store::Store store = open_store(settings, store::Access::read);
+    store::Store store = session::open_store(settings, store::Access::read);
     const auto [cases, phenomena] = split_phenomena(settings.cases);
     nlohmann::json tables = nlohmann::json::array();
     std::string text;
     int code = exit_ok;
     for (const auto& phenomenon : phenomena) {
-        const ModelsTable table = models_table(phenomenon, settings, store);
+        const studies::ModelsTable table = studies::models_table(phenomenon, settings, store);
         tables.push_back(json_of(table));
         text += text_of(table) + "\n";
     }
@@ -123,12 +127,12 @@ int compare_cases(const Settings& settings) {
     if (!cases.empty() || phenomena.empty()) {
         Settings named = settings;
         named.cases = cases;
-        const auto report = run_session(named, store, {}, false);
+        const auto report = session::run_session(named, store, {}, false);
         if (settings.json) {
-            document = cases_document(report);
+            document = reports::cases_document(report);
         } else {
             print_cases(report, named);
-            print_results("\n{}", summary_tables(report));
+            print_results("\n{}", reports::summary_tables(report));
         }
         code = close_session(report, named);
     }
@@ -152,26 +156,26 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
                         "gas-friction"};
         if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
     }
-    store::Store store = open_store(settings, store::Access::write_later);
-    const auto report = run_session(parity, store, std::move(stop), true);
+    store::Store store = session::open_store(settings, store::Access::write_later);
+    const auto report = session::run_session(parity, store, std::move(stop), true);
     if (settings.json) {
-        auto document = certificate_document(report);
-        document["attribution"] = attribution_document(report);
+        auto document = reports::certificate_document(report);
+        document["attribution"] = studies::attribution_document(report);
         print_document(document);
     } else {
-        const std::string certificate = certificate_table(report);
-        const std::string attribution = attribution_table(report);
+        const std::string certificate = reports::certificate_table(report);
+        const std::string attribution = studies::attribution_table(report);
         const bool nothing = certificate.empty() && attribution.empty();
         print_results("{}{}{}",
                       nothing ? "no case with a parity check was selected\n" : certificate,
-                      exceptions_list(report), attribution);
+                      reports::exceptions_list(report), attribution);
     }
     return close_session(report, parity);
 }
 
 int validate(const Settings& settings, std::stop_token stop) {
-    store::Store store = open_store(settings, store::Access::write_later);
-    const auto report = run_session(settings, store, std::move(stop), true);
+    store::Store store = session::open_store(settings, store::Access::write_later);
+    const auto report = session::run_session(settings, store, std::move(stop), true);
     std::exception_ptr failure;
     if (!report.interrupted)
         failure = failure_of([&] { write_report_files(report, store, settings); });
@@ -184,8 +188,8 @@ int validate(const Settings& settings, std::stop_token stop) {
 }
 
 int write_report(const Settings& settings, bool open) {
-    store::Store store = open_store(settings, store::Access::read);
-    const auto report = run_session(settings, store, {}, false);
+    store::Store store = session::open_store(settings, store::Access::read);
+    const auto report = session::run_session(settings, store, {}, false);
     write_report_files(report, store, settings);
     const auto page = settings.results / "report/index.html";
     print_results("{}\n", page.string());
@@ -195,31 +199,33 @@ int write_report(const Settings& settings, bool open) {
 
 namespace {
 
-int print_history(const Settings& settings, const std::vector<HistorySeries>& history) {
+int print_history(const Settings& settings, const std::vector<studies::HistorySeries>& history) {
     if (settings.json) {
-        print_document(history_document(history));
+        print_document(studies::history_document(history));
     } else {
-        print_result_text(history_table(history));
+        print_result_text(studies::history_table(history));
     }
     const bool drifts = std::ranges::any_of(
-        history, [](const auto& series) { return series.drift == Drift::left_band; });
+        history, [](const auto& series) { return series.drift == studies::Drift::left_band; });
     return drifts ? exit_verdict : exit_ok;
 }
 
 }  // namespace
 
 int show_history(const Settings& settings) {
-    store::Store store = open_store(settings, store::Access::read);
-    return print_history(settings, history_of(store.history()));
+    store::Store store = session::open_store(settings, store::Access::read);
+    return print_history(settings, studies::history_of(store.history()));
 }
 
 int show_regressions(const Settings& settings) {
-    store::Store store = open_store(settings, store::Access::read);
-    auto history = history_of(store.history());
+    store::Store store = session::open_store(settings, store::Access::read);
+    auto history = studies::history_of(store.history());
     const auto all = history.size();
-    const auto young = std::ranges::count(history, Drift::too_few, &HistorySeries::drift);
-    std::erase_if(history,
-                  [](const HistorySeries& series) { return series.drift != Drift::left_band; });
+    const auto young =
+        std::ranges::count(history, studies::Drift::too_few, &studies::HistorySeries::drift);
+    std::erase_if(history, [](const studies::HistorySeries& series) {
+        return series.drift != studies::Drift::left_band;
+    });
     if (!settings.json && history.empty()) {
         print_results("no regression in {} series ({} of them have too few entries to judge)\n",
                       all, young);

@@ -1,13 +1,17 @@
 // crossgrain stability: where methods stop working. For distinct elements thresholds by bisection;
 // for the lattice models the states their runs were found in, over the sweep of a case or of the
 // failure map it names.
+#include "adapters/registry/program_version.hpp"
 #include "app/commands/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/output.hpp"
-#include "app/session.hpp"
-#include "app/stability/stability.hpp"
-#include "app/stability/stability_dem.hpp"
-#include "app/text_table.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/machine.hpp"
+#include "native/base/share_directory.hpp"
+#include "reports/documents/text_table.hpp"
+#include "reports/session/session.hpp"
+#include "reports/studies/stability/stability.hpp"
+#include "reports/studies/stability/stability_dem.hpp"
 #include "reports/web/web_report.hpp"
 
 #include <fmt/format.h>
@@ -25,14 +29,14 @@ namespace {
 
 using nlohmann::json;
 
-bool holds_theory(const StabilityThreshold& threshold) {
+bool holds_theory(const studies::StabilityThreshold& threshold) {
     return !threshold.theory ||
            std::abs(threshold.measured() / *threshold.theory - 1) <= threshold.tolerance;
 }
 
 /// The state a run was found in, or why there is none.
-StabilityPoint point_of(const catalog::Variant& variant, const store::RunRecord& run) {
-    StabilityPoint point{.code = run.code, .state = run.status, .detail = run.reason};
+studies::StabilityPoint point_of(const catalog::Variant& variant, const store::RunRecord& run) {
+    studies::StabilityPoint point{.code = run.code, .state = run.status, .detail = run.reason};
     // A trajectory that left all bounds is what a map looks for.
     if (run.status == "run_failed") {
         const bool limited = run.reason.find("time limit") != std::string::npos;
@@ -58,8 +62,8 @@ StabilityPoint point_of(const catalog::Variant& variant, const store::RunRecord&
     return point;
 }
 
-StabilityReport states_of(const CaseReport& item) {
-    StabilityReport report{.case_name = item.the_case->name};
+studies::StabilityReport states_of(const judge::CaseReport& item) {
+    studies::StabilityReport report{.case_name = item.the_case->name};
     for (const auto& variant : item.the_case->variants) {
         for (const auto& run : item.runs.records()) {
             if (run.variant == variant.name && run.replica == 0) {
@@ -70,7 +74,7 @@ StabilityReport states_of(const CaseReport& item) {
     return report;
 }
 
-bool is_on(const TheoryLine& line, const StabilityPoint& point) {
+bool is_on(const studies::TheoryLine& line, const studies::StabilityPoint& point) {
     const auto shares = [](const auto& wanted, const auto& given) {
         return std::ranges::all_of(wanted, [&](const auto& entry) {
             const auto found = given.find(entry.first);
@@ -83,10 +87,10 @@ bool is_on(const TheoryLine& line, const StabilityPoint& point) {
 /// The quiet region is a class of its own: where theory finds a step stable, what gains energy is
 /// inaccurate like what loses it, and "energy gain" is left to steps that are unstable but have not
 /// left all bounds yet.
-void name_quiet_region(StabilityReport& report) {
-    for (StabilityPoint& point : report.points) {
+void name_quiet_region(studies::StabilityReport& report) {
+    for (studies::StabilityPoint& point : report.points) {
         if (point.state != "energy gain") continue;
-        for (const TheoryLine& line : report.theory) {
+        for (const studies::TheoryLine& line : report.theory) {
             const auto value = point.at.find(line.parameter);
             if (value == point.at.end() || value->second >= line.limit || !is_on(line, point))
                 continue;
@@ -96,7 +100,7 @@ void name_quiet_region(StabilityReport& report) {
     }
 }
 
-json report_json(const StabilityReport& report) {
+json report_json(const studies::StabilityReport& report) {
     json thresholds = json::array();
     for (const auto& t : report.thresholds) {
         json entry{{"code", t.code},   {"method", t.method}, {"parameter", t.parameter},
@@ -131,9 +135,9 @@ json report_json(const StabilityReport& report) {
             {"points", std::move(points)}};
 }
 
-void print_report(const StabilityReport& report) {
+void print_report(const studies::StabilityReport& report) {
     print_results("{}\n", report.case_name);
-    TextTable thresholds({"code", "method", "parameter", "works", "fails", "theory", ""});
+    reports::TextTable thresholds({"code", "method", "parameter", "works", "fails", "theory", ""});
     for (const auto& t : report.thresholds) {
         thresholds.add({t.code, t.method, t.parameter, fmt::format("{:.5g}", t.works),
                         fmt::format("{:.5g}", t.fails),
@@ -143,7 +147,7 @@ void print_report(const StabilityReport& report) {
                                           : "disagrees"});
     }
     if (!thresholds.empty()) print_result_text(thresholds.text());
-    TextTable points({"code", "at", "state", "detail"});
+    reports::TextTable points({"code", "at", "state", "detail"});
     for (const auto& p : report.points) {
         std::vector<std::string> at;
         for (const auto& [key, value] : p.in)
@@ -153,7 +157,7 @@ void print_report(const StabilityReport& report) {
         points.add({p.code, fmt::format("{}", fmt::join(at, " ")), p.state, p.detail});
     }
     if (!points.empty()) print_result_text(points.text());
-    TextTable theory({"theory", "parameter", "stable up to"});
+    reports::TextTable theory({"theory", "parameter", "stable up to"});
     for (const auto& line : report.theory) {
         std::vector<std::string> at;
         for (const auto& [key, value] : line.in)
@@ -188,12 +192,12 @@ std::string map_of(const catalog::Case& the_case, const std::vector<std::string>
 /// States over the parameters of a case, in all codes that run it; kept in the store, so that a map
 /// that was stopped goes on where it was.
 void add_map(const Settings& settings, store::Store& store, const std::stop_token& stop,
-             std::vector<StabilityReport>& reports) {
-    const auto session = run_session(settings, store, stop, true);
+             std::vector<studies::StabilityReport>& reports) {
+    const auto session = session::run_session(settings, store, stop, true);
     for (const auto& item : session.cases) {
         reports.push_back(states_of(item));
         if (item.the_case->model != "grains") continue;
-        reports.back().theory = theory_lines(*item.the_case, settings.seed);
+        reports.back().theory = studies::theory_lines(*item.the_case, settings.seed);
         name_quiet_region(reports.back());
     }
 }
@@ -201,7 +205,7 @@ void add_map(const Settings& settings, store::Store& store, const std::stop_toke
 /// The page of all maps of this call, <results>/report/stability.html.
 void write_page(const json& maps, const Settings& settings) {
     const Machine machine = this_machine();
-    reports::write_stability_page({{"version", program_version()},
+    reports::write_stability_page({{"version", adapters::program_version()},
                                    {"created", store::utc_now()},
                                    {"command", settings.command},
                                    {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
@@ -215,10 +219,11 @@ std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& s
                                                                const std::stop_token& stop) {
     Settings whole = settings;
     whole.map_axes.clear();
-    auto cases = selected_cases(whole, stop);
+    auto cases = session::selected_cases(whole, stop);
     if (!settings.map_axes.empty()) return cases;
     std::erase_if(cases, [&](const auto& the_case) {
-        if (the_case->model != "grains" || has_residuals(*the_case, settings.seed)) return false;
+        if (the_case->model != "grains" || studies::has_residuals(*the_case, settings.seed))
+            return false;
         if (settings.cases.empty()) return true;
         throw CaseError({.file = the_case->file,
                          .problem = "has no largest stable time step to look for",
@@ -232,15 +237,15 @@ std::vector<std::shared_ptr<const catalog::Case>> suited_cases(const Settings& s
 
 int map_stability(const Settings& settings, const std::stop_token& stop) {
     const auto cases = suited_cases(settings, stop);
-    store::Store store = open_store(settings, store::Access::write_later);
-    std::vector<StabilityReport> reports;
+    store::Store store = session::open_store(settings, store::Access::write_later);
+    std::vector<studies::StabilityReport> reports;
     int code = exit_ok;
     for (const auto& the_case : cases) {
         Settings one = settings;
         one.cases = {map_of(*the_case, settings.map_axes)};
         const bool grains = the_case->model == "grains";
         if (grains) {
-            reports.push_back(stability_dem(*the_case, settings, store, stop));
+            reports.push_back(studies::stability_dem(*the_case, settings, store, stop));
             for (const auto& threshold : reports.back().thresholds) {
                 if (!holds_theory(threshold)) code = exit_verdict;
             }

@@ -116,7 +116,8 @@ struct InitialState {
 };
 
 /// What happens to the initial state before the run: it evolves under the scene's own laws, then
-/// some grains are taken away, and the rest starts the run. A code never sees it: app/preparation.
+/// some grains are taken away, and the rest starts the run. A code never sees it:
+/// adapters/run/preparation.
 struct Preparation {
     std::int64_t steps = 0;     ///< > 0
     std::vector<bool> removed;  ///< shape (grains)

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/store/results_json.hpp"
-#include "reports/web/document.hpp"
+#include "adapters/run/store/results_json.hpp"
+#include "reports/documents/json_text.hpp"
 #include "reports/web/file_names.hpp"
 #include "reports/web/png.hpp"
 

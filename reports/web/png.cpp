@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include "reports/store/picture_fault.hpp"
+#include "adapters/run/store/picture_fault.hpp"
 
 namespace crossgrain::reports {
 namespace {

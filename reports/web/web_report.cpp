@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "native/base/errors.hpp"
-#include "reports/web/atomic_file.hpp"
+#include "reports/documents/atomic_file.hpp"
 #include "reports/web/document_parts.hpp"
 
 namespace crossgrain::reports {

@@ -1,8 +1,8 @@
 // Any bytes as the results of a stored run. What is read is written again, and must be the same.
 #include "tests/fuzz/fuzz_input.hpp"
 
+#include "adapters/run/store/results_json.hpp"
 #include "native/base/bounded_json.hpp"
-#include "reports/store/results_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -8,9 +8,9 @@
 #include <boost/test/unit_test.hpp>
 #include <unistd.h>
 
+#include "adapters/run/store/packed_bytes.hpp"
 #include "native/base/errors.hpp"
-#include "reports/store/packed_bytes.hpp"
-#include "reports/web/atomic_file.hpp"
+#include "reports/documents/atomic_file.hpp"
 #include "reports/web/document_parts.hpp"
 #include "reports/web/web_report.hpp"
 

@@ -1,0 +1,69 @@
+// Observables of every model, as the one catalogue of the app holds them.
+#pragma once
+
+#include "cases/catalog/case.hpp"
+#include "cases/measure/estimator.hpp"
+#include "cases/scene/any_scene.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace crossgrain::observables {
+
+/// `SubjectT` is what the estimator has to know of the scene.
+template <class SubjectT, class FrameT>
+struct ModelObservable {
+    using Subject = SubjectT;
+    using Frame = FrameT;
+    std::string name;
+    std::string measures;              ///< measurements, series, pictures, findings, in words
+    std::vector<std::string> options;  ///< of [[observable]] in a case file
+    std::function<std::unique_ptr<measure::EstimatorOf<FrameT>>(const SubjectT&,
+                                                                const catalog::ObservableRequest&)>
+        make;
+};
+
+using GrainObservable = ModelObservable<scene::Scene, scene::Frame>;
+using GasObservable = ModelObservable<scene::GasSampling, scene::GasFrame>;
+using HopperObservable = ModelObservable<scene::HopperAutomaton, scene::HopperFrame>;
+
+[[nodiscard]] const std::vector<GrainObservable>& grain_observables();
+/// Those of grains in pipes and hoppers, which grain_observables() holds too.
+[[nodiscard]] const std::vector<GrainObservable>& flow_observables();
+[[nodiscard]] const std::vector<GasObservable>& gas_observables();
+[[nodiscard]] const std::vector<HopperObservable>& hopper_observables();
+
+/// The observables of a scene's model, and what they have to know of it.
+[[nodiscard]] inline const std::vector<GrainObservable>&
+observables_of(const scene::Scene& /*model*/) {
+    return grain_observables();
+}
+[[nodiscard]] inline const std::vector<GasObservable>&
+observables_of(const scene::LatticeGas& /*model*/) {
+    return gas_observables();
+}
+[[nodiscard]] inline const std::vector<GasObservable>&
+observables_of(const scene::SyntheticSignal& /*model*/) {
+    return gas_observables();
+}
+[[nodiscard]] inline const std::vector<HopperObservable>&
+observables_of(const scene::HopperAutomaton& /*model*/) {
+    return hopper_observables();
+}
+
+[[nodiscard]] inline const scene::Scene& subject_of(const scene::Scene& scene) {
+    return scene;
+}
+[[nodiscard]] inline const scene::GasSampling& subject_of(const scene::LatticeGas& scene) {
+    return scene.sampling;
+}
+[[nodiscard]] inline const scene::GasSampling& subject_of(const scene::SyntheticSignal& scene) {
+    return scene.sampling;
+}
+[[nodiscard]] inline const scene::HopperAutomaton& subject_of(const scene::HopperAutomaton& scene) {
+    return scene;
+}
+
+}  // namespace crossgrain::observables

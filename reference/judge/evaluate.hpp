@@ -1,0 +1,106 @@
+// Answers the questions of a case from its runs: verdicts, combined measurements, convergence and
+// the certificate of equivalence. Computes no physics; everything comes from stored results.
+#pragma once
+
+#include "reference/judge/case_runs.hpp"
+#include "reference/published/published.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crossgrain::judge {
+
+/// A measurement of a code over all its replicas.
+struct CodeMeasurement {
+    std::string code, variant;
+    std::size_t rung = 0;
+    double dt = 0;
+    compare::Combined combined;
+};
+
+/// Error of an observable against dt, for the report's convergence figure.
+struct ConvergenceCurve {
+    std::string code, variant, observable;
+    std::vector<double> dt, mean_error, rms_error;
+    double order = 0, order_error = 0, limit = 0, limit_error = 0;
+};
+
+/// How far two codes stayed together.
+struct CertificatePair {
+    std::string case_name, a, b;
+    double contact_time = 0;
+    double diameter = 0;
+    std::map<std::string, double> max_dx;   ///< after 1, 10, 100, ... contact times
+    std::vector<double> curve_t, curve_dx;  ///< time and max |dx| at every snapshot
+    std::map<std::string, double> limits;   ///< of max_dx, where a check states one
+    std::map<std::string, double> max_dh;   ///< lid height, by time window, e.g. "0-6"
+    std::map<std::string, double> limits_dh;
+    compare::Outcome outcome = compare::Outcome::undecided;
+    bool expected = true;
+    std::string reason;
+};
+
+/// A parity check's answer for one pair of codes, as an index into the verdicts.
+struct ParityAnswer {
+    const catalog::Check* check = nullptr;
+    std::size_t verdict = 0;
+};
+
+struct Evaluation {
+    std::vector<CodeMeasurement> measurements;
+    std::vector<ConvergenceCurve> curves;
+    std::vector<compare::Verdict> verdicts;
+    std::vector<ParityAnswer> parity;
+    std::vector<CertificatePair> certificate;
+};
+
+[[nodiscard]] Evaluation evaluate(const CaseRuns& runs,
+                                  const published::PublishedValues& literature);
+
+/// Appends what the case fits over its variants: measurements without a variant, slopes with that
+/// at which they are taken.
+void evaluate_fits(const CaseRuns& runs, Evaluation& evaluation);
+
+// The parts, one per kind of check. Each appends to the evaluation.
+void evaluate_exact(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
+void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
+void evaluate_agree(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
+void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
+                        const published::PublishedValues& literature, Evaluation& evaluation);
+void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
+                    const published::PublishedValues& literature, Evaluation& evaluation);
+/// To be called after the parity checks.
+void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation);
+
+/// What a code measured in a variant, by its runs or by a fit over the variants of the case, which
+/// has the same value in each; nothing if a run lacks it or the fit had too few points.
+[[nodiscard]] std::optional<compare::Combined>
+measured(const CaseRuns& runs, const Evaluation& evaluation, const std::string& code,
+         std::size_t variant, const std::string& observable);
+/// Whether the case fits the observable over its variants, so that it belongs to none of them.
+[[nodiscard]] bool is_fitted(const catalog::Case& the_case, const std::string& observable);
+/// Why a code has no result to be judged. A fit leaves out the variants that were not run or cannot
+/// be expressed, but not one whose run failed.
+[[nodiscard]] std::optional<Absence> absence(const CaseRuns& runs, const catalog::Check& check,
+                                             const std::string& code, std::size_t variant);
+
+/// Variants a check applies to; the first one for what is fitted over all of them.
+[[nodiscard]] std::vector<std::size_t> variants_of(const catalog::Case& the_case,
+                                                   const catalog::Check& check);
+/// Codes of the runs a check applies to, in their order.
+[[nodiscard]] std::vector<std::string> codes_of(const CaseRuns& runs, const catalog::Check& check);
+/// A verdict with all that the check itself says; its outcome is still open.
+[[nodiscard]] compare::Verdict blank_verdict(const catalog::Case& the_case,
+                                             const catalog::Check& check, const std::string& code,
+                                             std::size_t variant);
+/// What a check against the literature names, without "published:".
+[[nodiscard]] std::string published_id(const catalog::Check& check);
+/// Sets the outcome, its reason, and whether the catalogue expects it. `other` is the second code
+/// of a pair, or empty.
+void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+              const std::string& other, compare::Outcome outcome, const std::string& reason,
+              compare::Verdict& verdict);
+
+}  // namespace crossgrain::judge
