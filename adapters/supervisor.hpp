@@ -25,20 +25,22 @@ class Supervisor {
     void check() const {
         if (options_.stop.stop_requested()) throw Interrupted();
         if (wall_seconds() > options_.time_limit) {
-            throw failure(fmt::format("stopped at the time limit of {:g} s", options_.time_limit));
+            throw failure(fmt::format("stopped at the time limit of {:g} s", options_.time_limit),
+                          true);
         }
     }
     [[nodiscard]] RunCost cost() const {
         return {.cpu_s = thread_cpu_seconds() - cpu_start_, .wall_s = wall_seconds()};
     }
     /// What to throw when the run does not deliver.
-    [[nodiscard]] AdapterError failure(std::string reason) const {
+    [[nodiscard]] AdapterError failure(std::string reason, bool timed_out = false) const {
         return AdapterError({.code = code_,
                              .reason = std::move(reason),
                              .command = {},
                              .exit = {},
                              .log_tail = {},
-                             .directory = options_.directory.string()});
+                             .directory = options_.directory.string(),
+                             .timed_out = timed_out});
     }
 
   private:

@@ -8,8 +8,9 @@ int exit_code(const session::SessionReport& report, const Settings& settings) {
     bool unexpected = false;
     for (const auto& item : report.cases) {
         for (const auto& run : item.runs.records()) {
-            const bool asked_but_absent = run.status == "not_installed" && !settings.codes.empty();
-            failed = failed || run.status == "run_failed" || asked_but_absent;
+            const bool asked_but_absent =
+                run.status == store::RunStatus::not_installed && !settings.codes.empty();
+            failed = failed || store::has_failed(run.status) || asked_but_absent;
         }
         for (const auto& verdict : item.evaluation.verdicts) {
             unexpected = unexpected || !verdict.expected;

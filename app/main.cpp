@@ -3,13 +3,13 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "app/option_rules.hpp"
-#include "app/output.hpp"
-#include "app/progress.hpp"
 #include "app/signal_stop.hpp"
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
 #include "reports/session/session.hpp"
+#include "reports/terminal/output.hpp"
+#include "reports/terminal/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -241,14 +241,14 @@ int run_program(int argc, char** argv, app::SignalStop& stop) {
     } catch (const CLI::ParseError& error) {
         std::ostringstream text, complaint;
         const bool asked = program.exit(error, text, complaint) == 0;  // for help or the version
-        app::print_result_text(text.str());
+        terminal::print_result_text(text.str());
         if (asked) return app::exit_ok;
-        app::print_note("error: {}; see 'crossgrain --help'", complaint_of(program, error));
+        terminal::print_note("error: {}; see 'crossgrain --help'", complaint_of(program, error));
         return app::exit_usage;
     }
     auto* command = program.get_subcommands().front();
     choose_suite(*command, arguments);
-    app::TerminalMonitor monitor(settings.quiet);
+    terminal::TerminalMonitor monitor(settings.quiet);
     settings.monitor = &monitor;
     return actions.at(command)(arguments, only_reads(*command) ? std::stop_token() : stop.listen());
 }
@@ -256,12 +256,12 @@ int run_program(int argc, char** argv, app::SignalStop& stop) {
 /// One line on stderr, and the exit code. What fails after a stop request fails because of it: it
 /// interrupts system calls that wait.
 int failed(const std::exception& error, int code, const app::SignalStop& stop) {
-    app::flush_results();  // where both go to one file, the results come first
+    terminal::flush_results();  // where both go to one file, the results come first
     if (stop.requested()) {
-        app::print_note("interrupted");
+        terminal::print_note("interrupted");
         return app::exit_interrupted;
     }
-    app::print_note("error: {}", error.what());
+    terminal::print_note("error: {}", error.what());
     return code;
 }
 
@@ -288,11 +288,11 @@ int guarded_run(int argc, char** argv, app::SignalStop& stop) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    app::open_standard_streams();
+    terminal::open_standard_streams();
     app::SignalStop stop;
     const int code = guarded_run(argc, argv, stop);
-    if (const auto reason = app::lost_results()) {
-        app::print_note("error: standard output cannot be written: {}", *reason);
+    if (const auto reason = terminal::lost_results()) {
+        terminal::print_note("error: standard output cannot be written: {}", *reason);
         return code == app::exit_interrupted ? code : app::exit_run_failed;
     }
     return code;

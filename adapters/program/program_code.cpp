@@ -57,14 +57,15 @@ class FailureReport {
         : code_(std::move(code)), command_(fmt::format("{}", fmt::join(argv, " "))),
           directory_(std::move(directory)) {}
 
-    [[nodiscard]] AdapterError operator()(const std::string& reason,
-                                          const std::string& exit) const {
+    [[nodiscard]] AdapterError operator()(const std::string& reason, const std::string& exit,
+                                          bool timed_out = false) const {
         return AdapterError({.code = code_,
                              .reason = first_line(reason),
                              .command = command_,
                              .exit = exit,
                              .log_tail = log_tail(directory_),
-                             .directory = directory_.string()});
+                             .directory = directory_.string(),
+                             .timed_out = timed_out});
     }
 
   private:
@@ -96,7 +97,7 @@ void judge(const process::Result& result, const std::optional<std::string>& erro
     if (result.ending == process::Ending::time_limit) {
         throw failure(fmt::format("not finished within {:g} s ({} frames so far)", time_limit,
                                   trajectory.frames()),
-                      exit);
+                      exit, true);
     }
     if (result.ending == process::Ending::too_much_output) throw failure(exit, exit);
     if (error_text) throw failure(*error_text, exit);

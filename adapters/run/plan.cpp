@@ -33,13 +33,13 @@ void settle_without_running(PlannedRun& run, const adapters::Availability& avail
     record.program = available.program;
     record.digest = available.digest;
     if (!available.installed) {
-        record.status = "not_installed";
+        record.status = store::RunStatus::not_installed;
         record.reason = available.reason;
     } else if (const auto refusal = cannot_express(*run.code, *run.scene)) {
-        record.status = "not_expressible";
+        record.status = store::RunStatus::not_expressible;
         record.reason = *refusal;
     } else {
-        record.status = "planned";
+        record.status = store::RunStatus::planned;
         record.key = run_key(run);
     }
 }

@@ -94,7 +94,7 @@ class Runner {
 
 RunSummary Runner::carry_out(bool compute) {
     for (auto& run : runs_) {
-        if (run.record.status != "planned" || settings_.fresh) continue;
+        if (run.record.status != store::RunStatus::planned || settings_.fresh) continue;
         // What failed is tried again, unless nothing is.
         (void)take_from_store(run, !compute);
     }
@@ -102,7 +102,8 @@ RunSummary Runner::carry_out(bool compute) {
         compute_missing();
     } else {
         for (auto& run : runs_) {
-            if (run.record.status == "planned") run.record.status = "not_run";
+            if (run.record.status == store::RunStatus::planned)
+                run.record.status = store::RunStatus::not_run;
         }
     }
     summary_.interrupted = stop_.stop_requested();
@@ -122,7 +123,7 @@ void relabel(store::RunRecord& found, const store::RunRecord& as) {
 bool Runner::take_from_store(PlannedRun& run, bool failures) {
     const std::lock_guard lock(store_mutex_);
     auto stored = store_.find(run.record.key);
-    if (!stored || (stored->status != "ok" && !failures)) return false;
+    if (!stored || (stored->status != store::RunStatus::ok && !failures)) return false;
     if (stored->code != run.record.code) {  // part of the key: somebody changed the row
         settings_.monitor->note(
             fmt::format("warning: a stored run of {} claims to be one of {} and is not used",
@@ -140,7 +141,7 @@ bool Runner::take_from_store(PlannedRun& run, bool failures) {
 void Runner::choose_missing() {
     std::map<std::string, const PlannedRun*> by_key;
     for (auto& run : runs_) {
-        if (run.record.status != "planned") continue;
+        if (run.record.status != store::RunStatus::planned) continue;
         const auto [first, is_new] = by_key.emplace(run.record.key, &run);
         if (is_new) {
             waiting_.push_back(&run);
@@ -199,7 +200,7 @@ bool Runner::compute_unless_claimed(PlannedRun& run, Progress& progress) {
             compute(run, progress);
         }
     } catch (const store::StoreError& error) {
-        run.record.status = "run_failed";
+        run.record.status = store::RunStatus::run_failed;
         run.record.reason = error.what();
         progress.finished(label(run), expected_seconds(run), "run_failed: " + run.record.reason);
     }
@@ -210,8 +211,8 @@ void Runner::compute(PlannedRun& run, Progress& progress) {
     auto& record = run.record;
     record.created = store::utc_now();
     std::optional<adapters::process::ScratchDirectory> directory;
-    const auto fail = [&](std::string reason, std::string log_tail = {}) {
-        record.status = "run_failed";
+    const auto fail = [&](std::string reason, std::string log_tail = {}, bool timed_out = false) {
+        record.status = timed_out ? store::RunStatus::timed_out : store::RunStatus::run_failed;
         record.reason = std::move(reason);
         record.log_tail = std::move(log_tail);
         if (directory) directory->keep();  // the error names it
@@ -219,13 +220,13 @@ void Runner::compute(PlannedRun& run, Progress& progress) {
     try {
         directory.emplace(directories_, directory_stem(run));
         measure(run, directory->path(), progress);
-        record.status = "ok";
+        record.status = store::RunStatus::ok;
         if (settings_.keep_dumps) directory->keep();
     } catch (const Interrupted&) {
-        record.status = "planned";
+        record.status = store::RunStatus::planned;
         return;
     } catch (const AdapterError& error) {
-        fail(error.what(), error.details().log_tail);
+        fail(error.what(), error.details().log_tail, error.details().timed_out);
     } catch (const std::bad_alloc&) {
         fail("there is not enough memory for this run");
     } catch (const std::exception& error) {
@@ -233,8 +234,9 @@ void Runner::compute(PlannedRun& run, Progress& progress) {
     }
     keep(run);
     progress.finished(label(run), expected_seconds(run),
-                      record.status == "ok" ? fmt::format("{:.2f} s CPU", record.cpu_s)
-                                            : "run_failed: " + record.reason);
+                      record.status == store::RunStatus::ok
+                          ? fmt::format("{:.2f} s CPU", record.cpu_s)
+                          : "run_failed: " + record.reason);
 }
 
 void Runner::measure(PlannedRun& run, const fs::path& directory, Progress& progress) {

@@ -3,13 +3,13 @@
 #include "adapters/registry/program_version.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
-#include "app/output.hpp"
 #include "native/base/machine.hpp"
 #include "native/base/share_directory.hpp"
 #include "reports/documents/atomic_file.hpp"
 #include "reports/documents/json_text.hpp"
 #include "reports/session/session.hpp"
 #include "reports/studies/chart/chart_document.hpp"
+#include "reports/terminal/output.hpp"
 #include "reports/web/web_report.hpp"
 
 #include <exception>
@@ -55,13 +55,14 @@ int chart_cases(const Settings& given, std::stop_token stop) {
                                   {"charts", std::move(list)}};
     const auto directory = settings.results / "report";
     // A file of another call can spoil the page; what was computed is told all the same.
-    const auto failure = failure_of([&] { write_charts(charts, document, directory); });
+    const auto failure = terminal::failure_of([&] { write_charts(charts, document, directory); });
     if (settings.json) {
-        print_document(document);
+        terminal::print_document(document);
     } else {
         for (const auto& chart : charts)
-            print_results("{}\n", studies::chart_table(chart));
-        if (!failure) print_results("written: {}\n", (directory / "charts.html").string());
+            terminal::print_results("{}\n", studies::chart_table(chart));
+        if (!failure)
+            terminal::print_results("written: {}\n", (directory / "charts.html").string());
     }
     if (failure) std::rethrow_exception(failure);
     // A rung that fails is a result here; a run that nobody let finish is not.

@@ -1,24 +1,21 @@
 // crossgrain write | read: hand a scene's inputs out, take trajectories made elsewhere in.
 #include "adapters/registry/codes.hpp"
+#include "adapters/run/measured_dump.hpp"
 #include "adapters/run/model_runs.hpp"
 #include "adapters/run/plan.hpp"
 #include "adapters/run/preparation.hpp"
 #include "adapters/run/written_input.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
-#include "app/output.hpp"
-#include "cases/observables/estimators.hpp"
 #include "native/base/share_directory.hpp"
 #include "reference/judge/evaluate.hpp"
 #include "reports/documents/documents.hpp"
 #include "reports/documents/tables.hpp"
 #include "reports/session/session.hpp"
+#include "reports/terminal/output.hpp"
 
-#include "adapters/dump/dump_reader.hpp"
-#include "cases/scene/frame_guard.hpp"
 #include "cases/toml/toml_table.hpp"
 #include "native/base/errors.hpp"
-#include "native/base/printable.hpp"
 #include "reports/documents/atomic_file.hpp"
 
 #include <fmt/format.h>
@@ -55,42 +52,6 @@ std::size_t variant_index(const catalog::Case& the_case, const std::string& name
                      .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
 }
 
-/// Streams the dump through the same guard and the same estimators as any run.
-store::RunRecord measure_dump(const catalog::Case& the_case, const ReadRequest& request,
-                              std::size_t variant, const Settings& settings,
-                              const std::stop_token& stop) {
-    const auto given = std::make_shared<const scene::AnyScene>(
-        the_case.scene(variant, request.rung - 1, settings.seed));
-    const auto ready = run::preparations_in(settings).prepared(given, the_case.time_limit, stop);
-    const auto& scene = std::get<scene::Scene>(*ready);
-    const auto estimators = observables::make_estimators(the_case, scene);
-    scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
-        if (stop.stop_requested()) throw Interrupted();
-        for (const auto& estimator : estimators)
-            estimator->add(frame);
-    });
-    store::RunRecord record{.case_name = the_case.name,
-                            .variant = the_case.variants[variant].name,
-                            .rung = request.rung - 1,
-                            .code = printable(request.name),
-                            .version = "read from a dump",
-                            .seed = settings.seed,
-                            .created = store::utc_now()};
-    const std::string dump = printable(request.dump.string(), std::string::npos);
-    record.settings_json = nlohmann::json{{"dump", dump}}.dump();
-    try {
-        adapters::dump::read_dump_file(request.dump, scene, std::ref(guard));
-        guard.finish();
-        for (const auto& estimator : estimators)
-            estimator->finish(record.results);
-        record.status = "ok";
-    } catch (const TrajectoryError& error) {
-        record.status = "run_failed";
-        record.reason = fmt::format("{}: {}", dump, printable(error.what()));
-    }
-    return record;
-}
-
 }  // namespace
 
 int write_inputs(const Settings& settings, const std::filesystem::path& out, std::stop_token stop) {
@@ -105,7 +66,7 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out, std
     std::vector<const run::PlannedRun*> expressible;
     for (const auto& run : runs) {
         if (const auto reason = run::cannot_express(*run.code, *run.scene)) {
-            print_note("not_expressible: {}: {}", scene::name_of(*run.scene), *reason);
+            terminal::print_note("not_expressible: {}: {}", scene::name_of(*run.scene), *reason);
         } else {
             expressible.push_back(&run);
         }
@@ -122,7 +83,7 @@ int write_inputs(const Settings& settings, const std::filesystem::path& out, std
     for (const auto& [directory, files] : inputs) {
         for (const auto& file : files)
             reports::write_file_atomically(directory / file.name, file.text);
-        print_results("{}\n", directory.string());
+        terminal::print_results("{}\n", directory.string());
     }
     return inputs.empty() ? exit_run_failed : exit_ok;
 }
@@ -147,30 +108,33 @@ int read_dump(const Settings& settings, const ReadRequest& request, std::stop_to
     Settings stored = settings;
     stored.codes.clear();
     auto session = session::run_session(stored, store, {}, false);
-    std::vector<store::RunRecord> records{
-        measure_dump(*the_case, request, variant, settings, stop)};
-    const bool failed = records.front().status != "ok";
+    std::vector<store::RunRecord> records{run::measure_dump(
+        *the_case,
+        {.file = request.dump, .name = request.name, .variant = variant, .rung = request.rung - 1},
+        settings, stop)};
+    const bool failed = records.front().status != store::RunStatus::ok;
     for (const auto& run : session.cases.front().runs.records()) {
-        const bool sibling = run.status == "ok" && run.variant == records.front().variant;
+        const bool sibling =
+            run.status == store::RunStatus::ok && run.variant == records.front().variant;
         if (sibling && run.code != request.name) records.push_back(run);
     }
     const published::PublishedValues literature(share_directory() / "published");
     judge::CaseRuns runs(*the_case, std::move(records));
     judge::Evaluation evaluation = judge::evaluate(runs, literature);
     std::erase_if(evaluation.verdicts, [&](const compare::Verdict& v) {
-        return v.code != request.name && v.against != request.name;
+        return v.code != request.name && v.against.name != request.name;
     });
     session::SessionReport report{.cases = {{the_case, std::move(runs), std::move(evaluation)}}};
     if (settings.json) {
-        print_document(reports::cases_document(report));
+        terminal::print_document(reports::cases_document(report));
     } else {
-        print_results("{}\n{}", reports::case_table(report.cases.front()),
-                      reports::exceptions_list(report));
+        terminal::print_results("{}\n{}", reports::case_table(report.cases.front()),
+                                reports::exceptions_list(report));
     }
     if (!failed) return exit_code(report, settings);
     // Not a run of ours that failed: the dump is bad input.
-    flush_results();
-    print_note("error: {}", report.cases.front().runs.records().front().reason);
+    terminal::flush_results();
+    terminal::print_note("error: {}", report.cases.front().runs.records().front().reason);
     return exit_usage;
 }
 

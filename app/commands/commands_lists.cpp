@@ -1,13 +1,13 @@
 // crossgrain codes | cases | observables: what is there.
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
-#include "app/output.hpp"
 #include "cases/observables/observables.hpp"
 #include "native/base/share_directory.hpp"
 #include "reference/oracles/oracles.hpp"
 #include "reports/documents/documents.hpp"
 #include "reports/documents/text_table.hpp"
 #include "reports/session/session.hpp"
+#include "reports/terminal/output.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +29,7 @@ std::string program_text(const nlohmann::json& code) {
 int list_codes(const Settings& settings, std::stop_token stop) {
     const auto document = reports::codes_document(std::move(stop));
     if (settings.json) {
-        print_document(document);
+        terminal::print_document(document);
         return exit_ok;
     }
     reports::TextTable table({"code", "status", "version", "program", "expresses"});
@@ -45,7 +45,7 @@ int list_codes(const Settings& settings, std::stop_token stop) {
             first = false;
         }
     }
-    print_result_text(table.text(0));
+    terminal::print_result_text(table.text(0));
     return exit_ok;
 }
 
@@ -68,9 +68,9 @@ int list_cases(const Settings& settings) {
                    found.source});
     }
     if (settings.json) {
-        print_document({{"cases", std::move(list)}});
+        terminal::print_document({{"cases", std::move(list)}});
     } else {
-        print_result_text(table.text(0));
+        terminal::print_result_text(table.text(0));
     }
     return exit_ok;
 }
@@ -87,9 +87,11 @@ int list_observables(const Settings& settings) {
                    fmt::format("{}", fmt::join(entry.options, ", "))});
     }
     if (settings.json) {
-        print_document({{"observables", std::move(list)}, {"oracles", oracles::oracle_names()}});
+        terminal::print_document(
+            {{"observables", std::move(list)}, {"oracles", oracles::oracle_names()}});
     } else {
-        print_results("{}\noracles: {}\n", table.text(0), fmt::join(oracles::oracle_names(), ", "));
+        terminal::print_results("{}\noracles: {}\n", table.text(0),
+                                fmt::join(oracles::oracle_names(), ", "));
     }
     return exit_ok;
 }

@@ -3,7 +3,6 @@
 #include "adapters/process/find_program.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
-#include "app/output.hpp"
 #include "native/base/share_directory.hpp"
 #include "reports/documents/atomic_file.hpp"
 #include "reports/documents/csv.hpp"
@@ -15,6 +14,7 @@
 #include "reports/studies/attribution.hpp"
 #include "reports/studies/history.hpp"
 #include "reports/studies/models/models_table.hpp"
+#include "reports/terminal/output.hpp"
 #include "reports/web/report_document.hpp"
 #include "reports/web/web_report.hpp"
 
@@ -34,38 +34,40 @@ std::map<std::string, std::string> absent_codes(const session::SessionReport& re
     std::map<std::string, std::string> absent;
     for (const auto& item : report.cases) {
         for (const auto& run : item.runs.records())
-            if (run.status == "not_installed") absent[run.code] = run.reason;
+            if (run.status == store::RunStatus::not_installed) absent[run.code] = run.reason;
     }
     return absent;
 }
 
 /// What happened besides the results, on stderr; and the exit code.
 int close_session(const session::SessionReport& report, const Settings& settings) {
-    flush_results();
+    terminal::flush_results();
     if (!report.store_error.empty()) {
-        print_note("error: {}; the results above are complete but not stored", report.store_error);
+        terminal::print_note("error: {}; the results above are complete but not stored",
+                             report.store_error);
     }
     for (const auto& [code, reason] : absent_codes(report))
-        print_note("{} is not installed: {}", code, reason);
+        terminal::print_note("{} is not installed: {}", code, reason);
     if (report.interrupted) {
-        print_note("interrupted: {} runs are stored; the same command goes on from there",
-                   report.computed + report.from_store);
+        terminal::print_note("interrupted: {} runs are stored; the same command goes on from there",
+                             report.computed + report.from_store);
     }
     if (!settings.quiet) {
-        print_note("{} runs computed, {} taken from {}", report.computed, report.from_store,
-                   settings.results.string());
+        terminal::print_note("{} runs computed, {} taken from {}", report.computed,
+                             report.from_store, settings.results.string());
     }
     return exit_code(report, settings);
 }
 
 void print_cases(const session::SessionReport& report, const Settings& settings) {
     if (settings.json) {
-        print_document(reports::cases_document(report));
+        terminal::print_document(reports::cases_document(report));
         return;
     }
     for (const auto& item : report.cases)
-        print_results("{}\n", reports::case_table(item));
-    print_results("{}\n{}", reports::verdict_table(report), reports::exceptions_list(report));
+        terminal::print_results("{}\n", reports::case_table(item));
+    terminal::print_results("{}\n{}", reports::verdict_table(report),
+                            reports::exceptions_list(report));
 }
 
 /// Pages, JUnit XML and CSV below <results>/report.
@@ -100,7 +102,7 @@ void open_in_browser(const std::filesystem::path& page) {
     const auto opener = process::find_program("xdg-open");
     const bool shown =
         opener && process::start_detached(*opener, {std::filesystem::absolute(page).string()});
-    if (!shown) print_note("no program is set up to open HTML pages here");
+    if (!shown) terminal::print_note("no program is set up to open HTML pages here");
 }
 
 }  // namespace
@@ -132,15 +134,15 @@ int compare_cases(const Settings& settings) {
             document = reports::cases_document(report);
         } else {
             print_cases(report, named);
-            print_results("\n{}", reports::summary_tables(report));
+            terminal::print_results("\n{}", reports::summary_tables(report));
         }
         code = close_session(report, named);
     }
     if (settings.json) {
         if (!phenomena.empty()) document["phenomena"] = std::move(tables);
-        print_document(document);
+        terminal::print_document(document);
     } else {
-        print_result_text(text);
+        terminal::print_result_text(text);
     }
     return code;
 }
@@ -161,14 +163,14 @@ int certify_cases(const Settings& settings, std::stop_token stop) {
     if (settings.json) {
         auto document = reports::certificate_document(report);
         document["attribution"] = studies::attribution_document(report);
-        print_document(document);
+        terminal::print_document(document);
     } else {
         const std::string certificate = reports::certificate_table(report);
         const std::string attribution = studies::attribution_table(report);
         const bool nothing = certificate.empty() && attribution.empty();
-        print_results("{}{}{}",
-                      nothing ? "no case with a parity check was selected\n" : certificate,
-                      reports::exceptions_list(report), attribution);
+        terminal::print_results(
+            "{}{}{}", nothing ? "no case with a parity check was selected\n" : certificate,
+            reports::exceptions_list(report), attribution);
     }
     return close_session(report, parity);
 }
@@ -178,12 +180,12 @@ int validate(const Settings& settings, std::stop_token stop) {
     const auto report = session::run_session(settings, store, std::move(stop), true);
     std::exception_ptr failure;
     if (!report.interrupted)
-        failure = failure_of([&] { write_report_files(report, store, settings); });
+        failure = terminal::failure_of([&] { write_report_files(report, store, settings); });
     print_cases(report, settings);
     const int code = close_session(report, settings);
     if (failure) std::rethrow_exception(failure);
     if (!report.interrupted && !settings.quiet)
-        print_note("report: {}", (settings.results / "report/index.html").string());
+        terminal::print_note("report: {}", (settings.results / "report/index.html").string());
     return code;
 }
 
@@ -192,7 +194,7 @@ int write_report(const Settings& settings, bool open) {
     const auto report = session::run_session(settings, store, {}, false);
     write_report_files(report, store, settings);
     const auto page = settings.results / "report/index.html";
-    print_results("{}\n", page.string());
+    terminal::print_results("{}\n", page.string());
     if (open) open_in_browser(page);
     return exit_ok;
 }
@@ -201,9 +203,9 @@ namespace {
 
 int print_history(const Settings& settings, const std::vector<studies::HistorySeries>& history) {
     if (settings.json) {
-        print_document(studies::history_document(history));
+        terminal::print_document(studies::history_document(history));
     } else {
-        print_result_text(studies::history_table(history));
+        terminal::print_result_text(studies::history_table(history));
     }
     const bool drifts = std::ranges::any_of(
         history, [](const auto& series) { return series.drift == studies::Drift::left_band; });
@@ -227,8 +229,8 @@ int show_regressions(const Settings& settings) {
         return series.drift != studies::Drift::left_band;
     });
     if (!settings.json && history.empty()) {
-        print_results("no regression in {} series ({} of them have too few entries to judge)\n",
-                      all, young);
+        terminal::print_results(
+            "no regression in {} series ({} of them have too few entries to judge)\n", all, young);
         return exit_ok;
     }
     return print_history(settings, history);

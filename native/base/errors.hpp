@@ -33,12 +33,13 @@ class CaseError : public std::runtime_error {
 
 /// A run of a code that did not deliver (verdict `run_failed`, exit code 3).
 struct AdapterErrorDetails {
-    std::string code;       ///< name of the code, e.g. "lammps"
-    std::string reason;     ///< one line, e.g. "dump ends in the middle of frame 2000"
-    std::string command;    ///< argv joined by spaces; empty for a native engine
-    std::string exit;       ///< e.g. "exit status 1", "killed at the time limit of 60 s"
-    std::string log_tail;   ///< last lines of its output
-    std::string directory;  ///< where inputs and logs are kept; empty when none
+    std::string code;        ///< name of the code, e.g. "lammps"
+    std::string reason;      ///< one line, e.g. "dump ends in the middle of frame 2000"
+    std::string command;     ///< argv joined by spaces; empty for a native engine
+    std::string exit;        ///< e.g. "exit status 1", "killed at the time limit of 60 s"
+    std::string log_tail;    ///< last lines of its output
+    std::string directory;   ///< where inputs and logs are kept; empty when none
+    bool timed_out = false;  ///< it was ended at the time limit
 };
 
 class AdapterError : public std::runtime_error {

@@ -25,13 +25,41 @@ enum class Outcome {
     no_reference  ///< the reference is missing or empty
 };
 
+/// What a measured value is held against.
+struct Against {
+    enum class Kind {
+        code,            ///< the same in another code
+        variant,         ///< the same code in another variant of the case
+        own_observable,  ///< another observable of the same run
+        closed_form,
+        published,  ///< a value of the literature
+        trend       ///< a trend of the literature
+    };
+    Kind kind = Kind::closed_form;
+    std::string name;  ///< "lammps", a variant, an observable, "analytic:...", "published:..."
+
+    friend bool operator==(const Against&, const Against&) = default;
+};
+
+/// What of an observable is judged: its value, its limit for dt -> 0, the order at which its error
+/// falls with dt, or its trend along a key of the sweep.
+enum class Aspect { value, limit, order, constant, increasing, decreasing };
+
 /// One answered question. `expected` tells whether the outcome is the one the catalogue records.
 struct Verdict {
-    std::string code;  ///< "lammps"; for pairs "native-dem" with `against` = "lammps"
-    std::string observable;
+    std::string code;        ///< "lammps"; of a pair the first one
+    std::string observable;  ///< as the catalogue of observables names it
+    std::string column;      ///< of a series; may be empty
+    Aspect aspect = Aspect::value;
+    std::string along;  ///< key of the sweep, of a trend
     Kind kind = Kind::exact;
-    std::string against;  ///< "analytic:restitution", "published:...", or a code's name
-    std::string setting;  ///< variant and time, e.g. "clip-all, dt = t_col/100"; may be empty
+    Against against;
+    std::string variant;  ///< of the case; of a trend what its variants share; may be empty
+    std::string place;    ///< where in a run, e.g. "t = 10 t_col"; may be empty
+    /// The rule variant of the model, where the case sweeps over those.
+    std::string rule_variant;
+    /// The code of a pair without a result, if that is what decided.
+    std::string absent_code;
     /// Signed where a sign makes sense; not a number while nothing was compared.
     double difference = std::numeric_limits<double>::quiet_NaN();
     double uncertainty = 0;  ///< half-width of the 95 % interval of `difference`
@@ -57,5 +85,15 @@ struct Verdict {
 
 [[nodiscard]] std::string to_string(Kind kind);
 [[nodiscard]] std::string to_string(Outcome outcome);
+/// "lammps", "variant mixed", "its own rise", "analytic:restitution".
+[[nodiscard]] std::string to_string(const Against& against);
+/// "restitution (dt -> 0)", "lid-height.h", "flux (constant along width)".
+[[nodiscard]] std::string observable_text(const Verdict& verdict);
+/// "clip-all, t = 10 t_col"; may be empty.
+[[nodiscard]] std::string setting_text(const Verdict& verdict);
+/// Whether two codes are held against each other.
+[[nodiscard]] inline bool is_pair(const Verdict& verdict) noexcept {
+    return verdict.against.kind == Against::Kind::code;
+}
 
 }  // namespace crossgrain::compare

@@ -10,11 +10,10 @@ namespace {
 /// it.
 constexpr std::int64_t replicas_for_one_without = 10;
 
-compare::Outcome outcome_of(const std::string& status) {
-    if (status == "not_installed") return compare::Outcome::not_installed;
-    if (status == "not_expressible") return compare::Outcome::not_expressible;
-    if (status == "run_failed") return compare::Outcome::run_failed;
-    return compare::Outcome::undecided;
+compare::Outcome outcome_of(store::RunStatus status) {
+    if (status == store::RunStatus::not_installed) return compare::Outcome::not_installed;
+    if (status == store::RunStatus::not_expressible) return compare::Outcome::not_expressible;
+    return store::has_failed(status) ? compare::Outcome::run_failed : compare::Outcome::undecided;
 }
 
 }  // namespace
@@ -34,7 +33,7 @@ const store::RunRecord* CaseRuns::find(const std::string& code, std::size_t vari
     const auto found =
         std::find_if(records_.begin(), records_.end(), [&](const store::RunRecord& r) {
             return r.code == code && r.variant == name && r.rung == rung && r.replica == replica &&
-                   r.status == "ok";
+                   r.status == store::RunStatus::ok;
         });
     return found == records_.end() ? nullptr : &*found;
 }
@@ -42,8 +41,10 @@ const store::RunRecord* CaseRuns::find(const std::string& code, std::size_t vari
 std::optional<Absence> CaseRuns::absence(const std::string& code, std::size_t variant) const {
     const std::string& name = case_->variants[variant].name;
     for (const auto& record : records_) {
-        if (record.code != code || record.variant != name || record.status == "ok") continue;
-        const bool pending = record.status == "not_run" || record.status == "planned";
+        if (record.code != code || record.variant != name || record.status == store::RunStatus::ok)
+            continue;
+        const bool pending = record.status == store::RunStatus::not_run ||
+                             record.status == store::RunStatus::planned;
         return Absence{.outcome = outcome_of(record.status),
                        .reason = pending ? "no run in the store" : record.reason};
     }

@@ -24,6 +24,40 @@ compare::Kind kind_of(catalog::CheckKind kind) {
     return compare::Kind::published;
 }
 
+compare::Aspect aspect_of(catalog::Aspect aspect) {
+    switch (aspect) {
+    case catalog::Aspect::value:
+        break;
+    case catalog::Aspect::limit:
+        return compare::Aspect::limit;
+    case catalog::Aspect::order:
+        return compare::Aspect::order;
+    case catalog::Aspect::constant:
+        return compare::Aspect::constant;
+    case catalog::Aspect::increasing:
+        return compare::Aspect::increasing;
+    case catalog::Aspect::decreasing:
+        return compare::Aspect::decreasing;
+    }
+    return compare::Aspect::value;
+}
+
+/// What the check names; of a pair the second code is not known yet.
+compare::Against against_of(const catalog::Check& check) {
+    using Kind = compare::Against::Kind;
+    if (!check.between.empty()) return {Kind::variant, check.between[1]};
+    if (!check.with.empty()) return {Kind::own_observable, check.with};
+    if (check.kind == catalog::CheckKind::exact) return {Kind::closed_form, check.against};
+    if (check.kind != catalog::CheckKind::published) return {Kind::code, ""};
+    return {catalog::is_trend(check.aspect) ? Kind::trend : Kind::published, check.against};
+}
+
+std::string rule_variant_of(const catalog::Variant& variant) {
+    if (variant.parameters.empty()) return {};
+    const auto& [key, value] = variant.parameters.front();
+    return key == "reading" ? value : "";
+}
+
 void collect_measurements(const CaseRuns& runs, Evaluation& evaluation) {
     const auto& the_case = runs.the_case();
     for (const auto& code : runs.codes()) {
@@ -120,15 +154,19 @@ compare::Verdict blank_verdict(const catalog::Case& the_case, const catalog::Che
                                const std::string& code, std::size_t variant) {
     compare::Verdict verdict{.code = code,
                              .observable = check.observable,
+                             .column = check.column,
+                             .aspect = aspect_of(check.aspect),
+                             .along = check.along,
                              .kind = kind_of(check.kind),
-                             .against = check.against,
-                             .setting = the_case.variants[variant].name,
+                             .against = against_of(check),
+                             .variant = the_case.variants[variant].name,
+                             .rule_variant = rule_variant_of(the_case.variants[variant]),
                              .limit = check.limit,
                              .limit_reason = check.reason};
-    if (is_fitted(the_case, check.observable)) verdict.setting.clear();
-    if (!check.column.empty()) verdict.observable += "." + check.column;
-    if (check.aspect == catalog::Aspect::limit) verdict.observable += " (dt -> 0)";
-    if (check.aspect == catalog::Aspect::order) verdict.observable += " (order in dt)";
+    if (is_fitted(the_case, check.observable)) {
+        verdict.variant.clear();
+        verdict.rule_variant.clear();
+    }
     return verdict;
 }
 

@@ -95,12 +95,6 @@ std::string label(const catalog::Case& the_case, std::size_t variant) {
     return name.empty() ? the_case.name : the_case.name + "/" + name;
 }
 
-/// A verdict's setting is its variant, and behind a comma where the difference is largest.
-bool is_of_variant(const compare::Verdict& verdict, const std::string& variant) {
-    return variant.empty() || verdict.setting == variant ||
-           verdict.setting.starts_with(variant + ", ");
-}
-
 CertificatePair certify(const CaseRuns& runs, const Evaluation& evaluation, std::size_t variant,
                         const std::string& a, const std::string& b) {
     const auto& the_case = runs.the_case();
@@ -114,8 +108,8 @@ CertificatePair certify(const CaseRuns& runs, const Evaluation& evaluation, std:
     add_snapshots(runs, variant, pair);
     for (const auto& [check, index] : evaluation.parity) {
         const auto& verdict = evaluation.verdicts[index];
-        if (certifies(*check) && verdict.code == a && verdict.against == b &&
-            is_of_variant(verdict, the_case.variants[variant].name)) {
+        if (certifies(*check) && verdict.code == a && verdict.against.name == b &&
+            verdict.variant == the_case.variants[variant].name) {
             add_check(*check, verdict, pair);
         }
     }

@@ -149,7 +149,7 @@ void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::s
     const bool wants_order = check.aspect == catalog::Aspect::order;
     const std::vector<compare::Rung> rungs = pooled_rungs(deviations);
     ConvergenceCurve curve{
-        .code = verdict.code, .variant = verdict.setting, .observable = check.observable};
+        .code = verdict.code, .variant = verdict.variant, .observable = check.observable};
     bool exact_to_round_off = true;
     for (const auto& rung : rungs) {
         curve.dt.push_back(rung.dt);

@@ -83,14 +83,19 @@ std::optional<double> variant_difference(const CaseRuns& runs, const catalog::Ch
     return largest;
 }
 
+struct PairAbsence {
+    std::string code;
+    Absence absence;
+};
+
 /// The first absence of either code.
-std::optional<Absence> pair_absence(const CaseRuns& runs, const catalog::Check& check,
-                                    std::size_t variant, const std::string& a,
-                                    const std::string& b) {
+std::optional<PairAbsence> pair_absence(const CaseRuns& runs, const catalog::Check& check,
+                                        std::size_t variant, const std::string& a,
+                                        const std::string& b) {
     for (const auto& code : {a, b}) {
         if (auto absent = absence(runs, check, code, variant)) {
             absent->reason = fmt::format("{}: {}", code, absent->reason);
-            return absent;
+            return PairAbsence{code, *absent};
         }
     }
     return std::nullopt;
@@ -104,11 +109,12 @@ void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation
         for (std::size_t i = 0; i < codes.size(); ++i) {
             for (std::size_t j = i + 1; j < codes.size(); ++j) {
                 auto verdict = blank_verdict(runs.the_case(), check, codes[i], variant);
-                verdict.against = codes[j];
+                verdict.against.name = codes[j];
                 verdict.limit = pair_limit(check, codes[i], codes[j]);
-                if (const auto absence = pair_absence(runs, check, variant, codes[i], codes[j])) {
-                    conclude(runs, check, variant, codes[j], absence->outcome, absence->reason,
-                             verdict);
+                if (const auto absent = pair_absence(runs, check, variant, codes[i], codes[j])) {
+                    verdict.absent_code = absent->code;
+                    conclude(runs, check, variant, codes[j], absent->absence.outcome,
+                             absent->absence.reason, verdict);
                 } else {
                     judge(variant, codes[i], codes[j], verdict);
                 }
@@ -145,8 +151,8 @@ void doubt_identical(const CaseRuns& runs, const catalog::Check& check,
     for (const auto& [index, variant] : judged) {
         auto& verdict = evaluation.verdicts[index];
         if (verdict.difference > 0 || largest[variant] < grown) continue;
-        if (share_arithmetic(runs, variant, verdict.code, verdict.against)) continue;
-        conclude(runs, check, variant, verdict.against, Outcome::disagree,
+        if (share_arithmetic(runs, variant, verdict.code, verdict.against.name)) continue;
+        conclude(runs, check, variant, verdict.against.name, Outcome::disagree,
                  fmt::format("the same to the last bit, where other codes differ by {:.1g}: do "
                              "both read the same output?",
                              largest[variant]),
@@ -171,9 +177,7 @@ void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluati
     for_each_pair(runs, check, evaluation,
                   [&](std::size_t variant, const std::string& a, const std::string& b,
                       compare::Verdict& verdict) {
-                      if (const std::string place = place_of(check); !place.empty()) {
-                          verdict.setting += (verdict.setting.empty() ? "" : ", ") + place;
-                      }
+                      verdict.place = place_of(check);
                       const auto difference = variant_difference(runs, check, variant, a, b);
                       if (!difference) {
                           return conclude(runs, check, variant, b, Outcome::undecided,
@@ -240,7 +244,6 @@ void evaluate_between(const CaseRuns& runs, const catalog::Check& check, Evaluat
     if (!a || !b) return;
     for (const auto& code : codes_of(runs, check)) {
         auto verdict = blank_verdict(runs.the_case(), check, code, *a);
-        verdict.against = fmt::format("variant {}", check.between[1]);
         auto absence = runs.absence(code, *a);
         if (!absence) absence = runs.absence(code, *b);
         if (absence) {
@@ -258,7 +261,6 @@ void evaluate_with(const CaseRuns& runs, const catalog::Check& check, Evaluation
     for (const std::size_t variant : variants_of(runs.the_case(), check)) {
         for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, variant);
-            verdict.against = fmt::format("its own {}", check.with);
             if (const auto absent = absence(runs, check, code, variant)) {
                 conclude(runs, check, variant, "", absent->outcome, absent->reason, verdict);
             } else {

@@ -98,8 +98,7 @@ void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
     for (const Group& group : groups_of(runs.the_case(), check)) {
         for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, group.variants.front());
-            verdict.setting = group.name;
-            verdict.observable += fmt::format(" ({} along {})", word_of(check.aspect), check.along);
+            verdict.variant = group.name;
             if (!reference || reference->trend != word_of(check.aspect)) {
                 conclude(runs, check, group.variants.front(), "", Outcome::no_reference,
                          fmt::format("no published trend '{}' that is {}", published_id(check),

@@ -24,7 +24,7 @@ json run_json(const store::RunRecord& run) {
             {"variant", run.variant},
             {"replica", run.replica},
             {"seed", run.seed},
-            {"status", run.status},
+            {"status", store::to_string(run.status)},
             {"reason", run.reason},
             {"log_tail", run.log_tail},
             {"settings", json::parse(run.settings_json, nullptr, false)},
@@ -74,25 +74,13 @@ json order_json(const judge::ConvergenceCurve& curve) {
             {"settings", {{"of", curve.observable}}}};
 }
 
-/// The reading of a model's rules that a verdict is about, where the case sweeps over readings: the
-/// first component of its variant.
-std::string reading_of(const catalog::Case& the_case, const compare::Verdict& verdict) {
-    const std::string first = verdict.setting.substr(0, verdict.setting.find_first_of("/,"));
-    for (const auto& variant : the_case.variants) {
-        if (variant.parameters.empty()) continue;
-        const auto& [key, value] = variant.parameters.front();
-        if (key == "reading" && value == first) return value;
-    }
-    return {};
-}
-
-json verdict_json(const catalog::Case& the_case, const compare::Verdict& v) {
+json verdict_json(const compare::Verdict& v) {
     return {{"code", v.code},
-            {"observable", v.observable},
+            {"observable", compare::observable_text(v)},
             {"kind", compare::to_string(v.kind)},
-            {"against", v.against},
-            {"setting", v.setting},
-            {"reading", reading_of(the_case, v)},
+            {"against", compare::to_string(v.against)},
+            {"setting", compare::setting_text(v)},
+            {"reading", v.rule_variant},
             {"difference", v.difference},
             {"uncertainty", v.uncertainty},
             {"limit", v.limit},
@@ -117,7 +105,7 @@ json case_document(const judge::CaseReport& item) {
         measurements.push_back(order_json(curve));
     json verdicts = json::array();
     for (const auto& v : item.evaluation.verdicts)
-        verdicts.push_back(verdict_json(*item.the_case, v));
+        verdicts.push_back(verdict_json(v));
     return {{"case", item.the_case->name},
             {"runs", std::move(runs)},
             {"measurements", std::move(measurements)},

@@ -14,15 +14,6 @@ using compare::Kind;
 using compare::Outcome;
 using compare::Verdict;
 
-bool is_pair(const Verdict& v) {
-    return (v.kind == Kind::parity || v.kind == Kind::agree) && !v.against.starts_with("variant ");
-}
-
-/// What a code is compared in, without the aspect: "restitution (dt -> 0)" is a restitution.
-std::string quantity_of(const Verdict& v) {
-    return v.observable.substr(0, v.observable.find(" ("));
-}
-
 /// The member of a verdict's measurement: its relative statistical error, from the 95 % interval.
 compare::ModelComparison comparison_of(const Verdict& v) {
     const double model = v.reference + v.difference;
@@ -61,7 +52,7 @@ std::vector<BiasRow> bias_rows(const session::SessionReport& report) {
     std::map<std::pair<std::string, std::string>, std::vector<compare::ModelComparison>> groups;
     for (const auto& item : report.cases) {
         for (const auto& v : item.evaluation.verdicts) {
-            if (has_ratio(v)) groups[{quantity_of(v), v.code}].push_back(comparison_of(v));
+            if (has_ratio(v)) groups[{v.observable, v.code}].push_back(comparison_of(v));
         }
     }
     std::vector<BiasRow> rows;
@@ -82,10 +73,10 @@ std::vector<PairRow> pair_rows(const session::SessionReport& report) {
     std::map<std::tuple<Kind, std::string, std::string>, PairRow> rows;
     for (const auto& item : report.cases) {
         for (const auto& v : item.evaluation.verdicts) {
-            if (!is_pair(v)) continue;
-            PairRow& row = rows[{v.kind, v.code, v.against}];
+            if (!compare::is_pair(v)) continue;
+            PairRow& row = rows[{v.kind, v.code, v.against.name}];
             row.a = v.code;
-            row.b = v.against;
+            row.b = v.against.name;
             row.kind = v.kind;
             auto& count = v.outcome == Outcome::agree       ? row.agree
                           : v.outcome == Outcome::disagree  ? row.disagree

@@ -1,6 +1,7 @@
 // The summary over all cases as JSON and as tables.
 #include "reports/documents/summary.hpp"
 
+#include "reports/documents/tables.hpp"
 #include "reports/documents/text_table.hpp"
 
 #include <fmt/format.h>
@@ -71,10 +72,8 @@ std::string needs_list(const session::SessionReport& report) {
     for (const auto& item : report.cases) {
         for (const auto& v : item.evaluation.verdicts) {
             if (!v.more_replicas) continue;
-            text += fmt::format("undecided: {} {} {}{}{}: needs {} more replicas\n",
-                                item.the_case->name, v.observable,
-                                v.setting.empty() ? "" : fmt::format("[{}] ", v.setting), v.code,
-                                v.against.empty() ? "" : " against " + v.against, *v.more_replicas);
+            text += fmt::format("undecided: {} {}: needs {} more replicas\n", item.the_case->name,
+                                question_text(v), *v.more_replicas);
         }
     }
     return text;

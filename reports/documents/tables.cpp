@@ -52,10 +52,6 @@ std::string measurement_table(const judge::CaseReport& item) {
     return table.empty() ? "" : table.text();
 }
 
-bool is_pair(const Verdict& v) {
-    return v.kind == compare::Kind::parity || v.kind == compare::Kind::agree;
-}
-
 std::string counts_text(const std::vector<const Verdict*>& group) {
     std::map<Outcome, int> counts;
     for (const auto* v : group)
@@ -75,11 +71,16 @@ std::string worst_text(const std::vector<const Verdict*>& group) {
         if (worst == nullptr || std::abs(v->difference) > std::abs(worst->difference)) worst = v;
     }
     if (worst == nullptr) return "-";
-    const std::string who =
-        is_pair(*worst) ? fmt::format("{}, {}", worst->code, worst->against) : worst->code;
+    const std::string who = compare::is_pair(*worst)
+                                ? fmt::format("{}, {}", worst->code, worst->against.name)
+                                : worst->code;
     const std::string error =
         worst->uncertainty > 0 ? fmt::format(" +- {:.2g}", worst->uncertainty) : "";
     return fmt::format("{:.2g}{} of {:.2g} ({})", worst->difference, error, worst->limit, who);
+}
+
+std::string against_text(const Verdict& v) {
+    return compare::is_pair(v) ? "pairs of codes" : compare::to_string(v.against);
 }
 
 std::string check_table(const judge::CaseReport& item) {
@@ -87,18 +88,18 @@ std::string check_table(const judge::CaseReport& item) {
     std::vector<std::string> order;
     std::map<std::string, std::vector<const Verdict*>> groups;
     for (const auto& v : item.evaluation.verdicts) {
-        const std::string key = fmt::format("{}|{}|{}|{}", v.observable, static_cast<int>(v.kind),
-                                            v.setting, is_pair(v) ? "" : v.against);
+        const std::string key =
+            fmt::format("{}|{}|{}|{}", compare::observable_text(v), static_cast<int>(v.kind),
+                        compare::setting_text(v), against_text(v));
         if (!groups.contains(key)) order.push_back(key);
         groups[key].push_back(&v);
     }
     for (const auto& key : order) {
         const auto& group = groups[key];
         const Verdict& first = *group.front();
-        table.add({first.observable, compare::to_string(first.kind), first.setting,
-                   is_pair(first) && !first.against.starts_with("variant ") ? "pairs of codes"
-                                                                            : first.against,
-                   counts_text(group), worst_text(group)});
+        table.add({compare::observable_text(first), compare::to_string(first.kind),
+                   compare::setting_text(first), against_text(first), counts_text(group),
+                   worst_text(group)});
     }
     return table.empty() ? "" : table.text();
 }
@@ -121,7 +122,7 @@ std::string cost_table(const judge::CaseReport& item) {
         std::string unit;
         int count = 0;
         for (const auto& run : item.runs.records()) {
-            if (run.code != code || run.status != "ok") continue;
+            if (run.code != code || run.status != store::RunStatus::ok) continue;
             cpu += run.cpu_s;
             work += run.work;
             unit = run.work_unit;
@@ -157,7 +158,8 @@ std::string verdict_table(const session::SessionReport& report) {
         for (const auto& code : codes) {
             std::vector<const Verdict*> group;
             for (const auto& v : item.evaluation.verdicts) {
-                if (v.code == code || (is_pair(v) && v.against == code)) group.push_back(&v);
+                if (v.code == code || (compare::is_pair(v) && v.against.name == code))
+                    group.push_back(&v);
             }
             row.push_back(group.empty() ? "-" : counts_text(group));
         }
@@ -201,22 +203,27 @@ std::string one_line(const std::string& reason) {
 
 }  // namespace
 
+std::string question_text(const compare::Verdict& v) {
+    const std::string setting = compare::setting_text(v), against = compare::to_string(v.against);
+    return fmt::format("{} {}{}{}", compare::observable_text(v),
+                       setting.empty() ? "" : fmt::format("[{}] ", setting), v.code,
+                       against.empty() ? "" : " against " + against);
+}
+
 std::string exceptions_list(const session::SessionReport& report) {
     std::string text;
     for (const auto& item : report.cases) {
         std::set<std::string> failures;
         for (const auto& run : item.runs.records()) {
-            if (run.status == "run_failed") failures.insert(run.reason);
+            if (store::has_failed(run.status)) failures.insert(run.reason);
         }
         for (const auto& reason : failures) {
             text += fmt::format("run_failed: {}: {}\n", item.the_case->name, one_line(reason));
         }
         for (const auto& v : item.evaluation.verdicts) {
             if (v.expected || v.outcome == Outcome::run_failed) continue;
-            text += fmt::format(
-                "{}: {} {} {}{}{}: {}\n", compare::to_string(v.outcome), item.the_case->name,
-                v.observable, v.setting.empty() ? "" : fmt::format("[{}] ", v.setting), v.code,
-                v.against.empty() ? "" : " against " + v.against, one_line(v.reason));
+            text += fmt::format("{}: {} {}: {}\n", compare::to_string(v.outcome),
+                                item.the_case->name, question_text(v), one_line(v.reason));
         }
     }
     return text;

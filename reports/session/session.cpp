@@ -22,10 +22,10 @@ namespace {
 
 store::VerdictRow row_of(const compare::Verdict& v) {
     return {.code = v.code,
-            .observable = v.observable,
+            .observable = compare::observable_text(v),
             .kind = compare::to_string(v.kind),
-            .against = v.against,
-            .setting = v.setting,
+            .against = compare::to_string(v.against),
+            .setting = compare::setting_text(v),
             .difference = v.difference,
             .uncertainty = v.uncertainty,
             .limit = v.limit,

@@ -35,7 +35,7 @@ json figures_json(const catalog::Case& the_case) {
 json series_json(const judge::CaseReport& item) {
     json all = json::array();
     for (const auto& run : item.runs.records()) {
-        if (run.status != "ok" || run.replica != 0) continue;
+        if (run.status != store::RunStatus::ok || run.replica != 0) continue;
         for (const auto& series : run.results.series) {
             if (series.name == "collisions") continue;
             json entry{{"code", run.code},       {"variant", run.variant},
@@ -62,7 +62,7 @@ json series_json(const judge::CaseReport& item) {
 json pictures_json(const judge::CaseReport& item) {
     json all = json::array();
     for (const auto& run : item.runs.records()) {
-        if (run.status != "ok" || run.replica != 0) continue;
+        if (run.status != store::RunStatus::ok || run.replica != 0) continue;
         for (const auto& picture : run.results.pictures) {
             json entry = store::picture_to_json(picture);
             entry["code"] = run.code;
@@ -77,7 +77,7 @@ json pictures_json(const judge::CaseReport& item) {
 json findings_json(const judge::CaseReport& item) {
     json all = json::array();
     for (const auto& run : item.runs.records()) {
-        if (run.status != "ok") continue;
+        if (run.status != store::RunStatus::ok) continue;
         for (const auto& finding : run.results.findings) {
             all.push_back({{"code", run.code},
                            {"variant", run.variant},

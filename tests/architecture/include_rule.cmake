@@ -40,7 +40,7 @@ set(rule_adapters/registry native/base cases/toml adapters adapters/native adapt
                            adapters/lammps adapters/liggghts adapters/yade)
 set(rule_adapters/run/store native/base cases/measure)
 set(rule_adapters/run native/base cases/scene cases/catalog cases/measure cases/observables adapters
-                      adapters/process adapters/registry adapters/run/store)
+                      adapters/dump adapters/process adapters/registry adapters/run/store)
 # What is right, and judging.
 set(rule_reference/analytic native/base)
 set(rule_reference/published native/base cases/toml)
@@ -63,8 +63,9 @@ set(rule_reports/studies native/base cases/toml cases/scene cases/catalog cases/
 set(rule_reports/web native/base cases/catalog cases/measure adapters/registry adapters/run/store
                      reference/compare reference/judge reports/session reports/documents
                      reports/studies)
+set(rule_reports/terminal native/base adapters/run reports/documents)
 # Libraries beside their data, which the program links.
-set(rule_tests/bench native/base native/dem native/friction native/hopper native/lga cases/scene
+set(rule_tests/bench native/base native/dem native/friction native/hopper native/lga cases/scene cases/toml
                      adapters adapters/native adapters/lammps adapters/liggghts adapters/yade
                      adapters/process reports/documents)
 set(rule_tests/selftest native/base cases/toml cases/scene cases/catalog adapters adapters/registry
@@ -73,7 +74,7 @@ set(rule_tests/selftest native/base cases/toml cases/scene cases/catalog adapter
 set(rule_app native/base cases/toml cases/scene cases/catalog cases/observables adapters
              adapters/dump adapters/process adapters/registry adapters/run adapters/run/store
              reference/judge reference/oracles reference/published reports/session
-             reports/documents reports/studies reports/web tests/bench tests/selftest)
+             reports/documents reports/studies reports/terminal reports/web tests/bench tests/selftest)
 
 get_cmake_property(rooms VARIABLES)
 list(FILTER rooms INCLUDE REGEX "^rule_")

@@ -1,6 +1,8 @@
 // Speed, measured side by side in one run: `crossgrain bench`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -44,7 +46,7 @@ struct BenchOptions {
     std::function<void(const std::string&)> progress;  ///< one line per finished contender
 };
 
-/// One named bench. To add one, add a line to catalogue_benches.cpp.
+/// One named bench. To add one, add a line to benches.cpp.
 struct Bench {
     std::string name;  ///< e.g. "lga"
     std::string title;
@@ -52,6 +54,12 @@ struct Bench {
 };
 
 [[nodiscard]] const std::vector<Bench>& benches();
+/// Throws CaseError with the nearest name.
+[[nodiscard]] const Bench& bench_named(const std::string& name);
+
+/// {bench, machine, rows, targets, notes}, and tables of the same.
+[[nodiscard]] nlohmann::json bench_json(const Bench& bench, const BenchReport& report);
+[[nodiscard]] std::string bench_text(const Bench& bench, const BenchReport& report);
 
 [[nodiscard]] BenchReport bench_dem(const BenchOptions& options);
 [[nodiscard]] BenchReport bench_dem_friction(const BenchOptions& options);

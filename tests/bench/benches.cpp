@@ -1,4 +1,9 @@
+#include "cases/toml/toml_table.hpp"
+#include "native/base/errors.hpp"
 #include "tests/bench/bench.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace crossgrain::bench {
 
@@ -15,6 +20,19 @@ const std::vector<Bench>& benches() {
          bench_dem_friction},
     };
     return all;
+}
+
+const Bench& bench_named(const std::string& name) {
+    std::vector<std::string> known;
+    for (const auto& bench : benches()) {
+        if (bench.name == name) return bench;
+        known.push_back(bench.name);
+    }
+    const auto near = toml_input::nearest(name, known);
+    throw CaseError({.problem = "unknown bench",
+                     .got = fmt::format("'{}'", name),
+                     .expected = fmt::format("one of {}", fmt::join(known, ", ")),
+                     .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
 }
 
 }  // namespace crossgrain::bench

@@ -135,7 +135,7 @@ RunSlice SelftestBench::plan_defective(const catalog::Case& the_case, const adap
         make_defective(code, runs, defect, std::move(scenes), the_case.model));
     const RunSlice slice = plan_runs(the_case, *defective_codes_.back(), first_seed, code.name());
     for (std::size_t i = slice.first; i < slice.first + slice.count; ++i) {
-        if (planned_[i].record.status == "planned") continue;
+        if (planned_[i].record.status == store::RunStatus::planned) continue;
         throw CaseError({.file = defect.place,
                          .key = defect.name,
                          .problem = fmt::format("cannot be planted in {}", code.name()),

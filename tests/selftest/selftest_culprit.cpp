@@ -12,25 +12,25 @@ using compare::Kind;
 using compare::Outcome;
 using compare::Verdict;
 
-auto place_of(const Verdict& v) {
-    return std::tie(v.code, v.observable, v.kind, v.against, v.setting);
-}
-
-bool is_pair(const Verdict& v) {
-    return v.kind == Kind::parity || v.kind == Kind::agree;
+bool same_question(const Verdict& a, const Verdict& b) {
+    const auto key = [](const Verdict& v) {
+        return std::tie(v.code, v.observable, v.column, v.aspect, v.along, v.kind, v.variant,
+                        v.place);
+    };
+    return key(a) == key(b) && a.against == b.against;
 }
 
 /// Whether a failed run of its own, and not of the other one of a pair, is what is objected to.
 bool blames(const Verdict& v, const std::string& code) {
-    if (v.code != code && !(is_pair(v) && v.against == code)) return false;
-    return v.outcome != Outcome::run_failed || !is_pair(v) || v.reason.starts_with(code + ":");
+    if (v.code != code && !(is_pair(v) && v.against.name == code)) return false;
+    return v.outcome != Outcome::run_failed || !is_pair(v) || v.absent_code == code;
 }
 
 std::set<std::string> codes_in(const std::vector<Verdict>& verdicts) {
     std::set<std::string> codes;
     for (const auto& v : verdicts) {
         codes.insert(v.code);
-        if (is_pair(v) && !v.against.starts_with("variant ")) codes.insert(v.against);
+        if (is_pair(v)) codes.insert(v.against.name);
     }
     return codes;
 }
@@ -66,7 +66,7 @@ std::vector<Verdict> new_objections(const std::vector<Verdict>& before,
     for (const auto& v : now) {
         if (v.expected || v.outcome == Outcome::undecided) continue;
         const auto counterpart = std::ranges::find_if(
-            before, [&](const auto& other) { return place_of(other) == place_of(v); });
+            before, [&](const auto& other) { return same_question(other, v); });
         if (counterpart == before.end() || counterpart->expected) objections.push_back(v);
     }
     return objections;

@@ -49,10 +49,6 @@ void spoil(Records& records, const Defect& defect) {
                      .expected = "a measurement of the case"});
 }
 
-std::string base_name(const std::string& observable) {
-    return observable.substr(0, observable.find_first_of(". "));
-}
-
 void fill_in(DefectResult& result, const Defect& defect, const std::vector<Verdict>& objections,
              const std::vector<Verdict>& all) {
     if (objections.empty()) return;
@@ -60,15 +56,15 @@ void fill_in(DefectResult& result, const Defect& defect, const std::vector<Verdi
     const Verdict& v = most_telling(objections, culprit);
     result.caught = true;
     result.culprit = culprit.value_or("");
-    result.observable = v.observable;
+    result.observable = compare::observable_text(v);
     result.reason = v.reason;
     result.by = fmt::format("{}: {} {} of {}", compare::to_string(v.outcome),
-                            compare::to_string(v.kind), v.observable, v.code);
-    if (!v.against.empty()) result.by += " against " + v.against;
+                            compare::to_string(v.kind), compare::observable_text(v), v.code);
+    if (const auto against = compare::to_string(v.against); !against.empty())
+        result.by += " against " + against;
     const auto& wanted = defect.shows_in;
-    const bool right_observable =
-        wanted.empty() || v.outcome == Outcome::run_failed ||
-        std::ranges::find(wanted, base_name(v.observable)) != wanted.end();
+    const bool right_observable = wanted.empty() || v.outcome == Outcome::run_failed ||
+                                  std::ranges::find(wanted, v.observable) != wanted.end();
     result.culprit_right = culprit == defect.code && right_observable;
 }
 
@@ -134,7 +130,8 @@ void SelftestJudge::judge_group(const GroupTrial& trial, SelftestReport& report)
         throw CaseError({.file = trial.the_case->file,
                          .problem = "is not clean without any defect",
                          .got = fmt::format("{}: {} of {} {}: {}", compare::to_string(v.outcome),
-                                            v.observable, v.code, v.against, v.reason),
+                                            compare::observable_text(v), v.code,
+                                            compare::to_string(v.against), v.reason),
                          .expected = "every verdict as expected"});
     }
     for (const auto& planted : trial.planted) {
@@ -152,9 +149,10 @@ void SelftestJudge::judge_null(const NullTrial& trial, SelftestReport& report) c
         if (v.outcome == Outcome::undecided) ++report.null.undecided;
         if (v.outcome == Outcome::disagree || v.outcome == Outcome::run_failed) {
             ++report.null.false_alarms;
-            report.null.alarms.push_back(fmt::format("{} {} [{}] of {} against {}: {}",
-                                                     trial.the_case->name, v.observable, v.setting,
-                                                     v.code, v.against, v.reason));
+            report.null.alarms.push_back(
+                fmt::format("{} {} [{}] of {} against {}: {}", trial.the_case->name,
+                            compare::observable_text(v), compare::setting_text(v), v.code,
+                            compare::to_string(v.against), v.reason));
         }
         if (v.kind != compare::Kind::agree || !(v.uncertainty > 0)) continue;
         ++report.null.with_interval;

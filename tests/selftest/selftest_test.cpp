@@ -25,7 +25,10 @@ Verdict verdict(const std::string& code, Kind kind, const std::string& against, 
     return {.code = code,
             .observable = "trajectory",
             .kind = kind,
-            .against = against,
+            .against = {kind == Kind::parity || kind == Kind::agree
+                            ? compare::Against::Kind::code
+                            : compare::Against::Kind::closed_form,
+                        against},
             .outcome = outcome,
             .expected = outcome == Outcome::agree};
 }

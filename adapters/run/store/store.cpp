@@ -63,6 +63,18 @@ std::uint64_t seed_of(const std::string& text) {
     return seed;
 }
 
+/// What a row holds; of the runs without a result only those that were started are stored.
+std::string text_of(RunStatus status) {
+    return status == RunStatus::timed_out ? "timed_out" : to_string(status);
+}
+
+RunStatus status_of(const std::string& text) {
+    for (const auto status : {RunStatus::ok, RunStatus::run_failed, RunStatus::timed_out}) {
+        if (text == text_of(status)) return status;
+    }
+    throw Damaged(fmt::format("its status is '{}'", printable(text)));
+}
+
 /// Columns of a run, in the order of `run_of`.
 constexpr const char* run_columns =
     "id, key, case_name, variant, rung, code, version, program, digest, replica, seed, status, "
@@ -82,7 +94,8 @@ RunRecord run_of(SQLite::Statement& row) {
         *field = text();
     run.replica = whole();
     run.seed = seed_of(text());
-    for (auto* field : {&run.status, &run.reason, &run.log_tail, &run.settings_json})
+    run.status = status_of(text());
+    for (auto* field : {&run.reason, &run.log_tail, &run.settings_json})
         *field = text();
     for (auto* field : {&run.cpu_s, &run.wall_s, &run.work})
         *field = number();
@@ -116,6 +129,25 @@ HistoryPoint cost_of(HistoryPoint run, double cpu_s) {
 
 }  // namespace
 
+std::string to_string(RunStatus status) {
+    switch (status) {
+    case RunStatus::planned:
+        return "planned";
+    case RunStatus::ok:
+        return "ok";
+    case RunStatus::run_failed:
+    case RunStatus::timed_out:
+        break;
+    case RunStatus::not_installed:
+        return "not_installed";
+    case RunStatus::not_expressible:
+        return "not_expressible";
+    case RunStatus::not_run:
+        return "not_run";
+    }
+    return "run_failed";
+}
+
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
@@ -141,7 +173,7 @@ std::optional<RunRecord> Store::find(const std::string& key) const {
         SQLite::Statement query(
             database().sqlite(),
             fmt::format("SELECT {}, results FROM run LEFT JOIN result ON run_id = id "
-                        "WHERE key = ? AND status IN ('ok', 'run_failed') "
+                        "WHERE key = ? AND status IN ('ok', 'run_failed', 'timed_out') "
                         "ORDER BY id DESC LIMIT 1",
                         run_columns));
         query.bind(1, key);
@@ -186,8 +218,8 @@ std::int64_t Store::add(const RunRecord& run) {
             db, "INSERT INTO run VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
         SQLite::bind(insert, run.key, run.case_name, run.variant,
                      static_cast<std::int64_t>(run.rung), run.code, run.version, run.program,
-                     run.digest, run.replica, std::to_string(run.seed), run.status, run.reason,
-                     run.log_tail, run.settings_json, run.cpu_s, run.wall_s, run.work,
+                     run.digest, run.replica, std::to_string(run.seed), text_of(run.status),
+                     run.reason, run.log_tail, run.settings_json, run.cpu_s, run.wall_s, run.work,
                      run.work_unit, run.created);
         insert.exec();
         const std::int64_t id = db.getLastInsertRowid();

@@ -16,7 +16,26 @@
 
 namespace crossgrain::store {
 
-/// A run as it is stored. `status` is "ok" or one of the outcomes that are no result.
+/// `planned` and `not_run` are of runs that are not stored.
+enum class RunStatus {
+    planned,
+    ok,
+    run_failed,
+    timed_out,
+    not_installed,
+    not_expressible,
+    not_run
+};
+
+/// Whether it was started and has no result.
+[[nodiscard]] constexpr bool has_failed(RunStatus status) noexcept {
+    return status == RunStatus::run_failed || status == RunStatus::timed_out;
+}
+
+/// As documents have it: "ok", "run_failed" (of both kinds), ...
+[[nodiscard]] std::string to_string(RunStatus status);
+
+/// A run as it is stored.
 struct RunRecord {
     std::int64_t id = 0;  ///< 0 before it is stored
     std::string key;      ///< identifies scene, settings, observables, code and version
@@ -26,7 +45,8 @@ struct RunRecord {
     std::string program, digest;  ///< path and SHA-256 of a foreign program; empty for native codes
     std::int64_t replica = 0;
     std::uint64_t seed = 0;
-    std::string status, reason, log_tail;
+    RunStatus status = RunStatus::planned;
+    std::string reason, log_tail;
     std::string settings_json;  ///< what a reader wants to see: dt, law variant, N, ...
     double cpu_s = 0;
     double wall_s = 0;

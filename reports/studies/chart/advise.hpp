@@ -3,6 +3,8 @@
 
 #include "reports/studies/chart/chart.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -47,5 +49,9 @@ struct Advice {
 
 /// The chart's own margins play no part.
 [[nodiscard]] Advice advise(const ChartedObservable& charted, double tolerance);
+
+/// Lines for people, and {observable, tolerance, enough, not_enough, dropped, reason}.
+[[nodiscard]] std::string advice_text(const Advice& advice);
+[[nodiscard]] nlohmann::json advice_json(const Advice& advice);
 
 }  // namespace crossgrain::studies

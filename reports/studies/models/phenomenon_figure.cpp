@@ -65,7 +65,9 @@ void fill_from_series(const TableCurve& curve, const judge::CaseReport& report,
                       FilledCurve& filled) {
     std::vector<Points> replicas;
     for (const auto& run : report.runs.records()) {
-        if (run.code != curve.code || run.variant != curve.variant || run.status != "ok") continue;
+        if (run.code != curve.code || run.variant != curve.variant ||
+            run.status != store::RunStatus::ok)
+            continue;
         for (const auto& series : run.results.series) {
             if (series.name != curve.series) continue;
             if (auto points = points_of(curve, series)) replicas.push_back(std::move(*points));

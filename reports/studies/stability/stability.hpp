@@ -1,6 +1,8 @@
 // Where methods stop working, found by running them: `crossgrain stability`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <functional>
 #include <map>
 #include <optional>
@@ -48,5 +50,12 @@ struct StabilityReport {
     std::vector<TheoryLine> theory;
     std::vector<StabilityPoint> points;
 };
+
+/// Whether the measured threshold is within its tolerance of theory; true without a theory.
+[[nodiscard]] bool holds_theory(const StabilityThreshold& threshold);
+
+/// {case, thresholds, theory, points}, and tables of the same.
+[[nodiscard]] nlohmann::json stability_json(const StabilityReport& report);
+[[nodiscard]] std::string stability_text(const StabilityReport& report);
 
 }  // namespace crossgrain::studies

@@ -170,7 +170,7 @@ class Searches {
                           .code = result.code,
                           .version = search.version,
                           .digest = search.digest,
-                          .status = "ok",
+                          .status = store::RunStatus::ok,
                           .settings_json = "{}",
                           .created = store::utc_now(),
                           .results = {.measurements = {{.observable = works,

@@ -30,8 +30,13 @@ struct InstructionSet {
     int widest_word;
 };
 
+/// The one that is compiled in, SSE2 unless the compiler was told more (presets with sanitizers).
+constexpr InstructionSet baseline{HWY_STATIC_TARGET, HWY_STATIC_TARGET <= HWY_AVX3_DL ? 512
+                                                     : HWY_STATIC_TARGET <= HWY_AVX2  ? 256
+                                                                                      : 64};
+
 std::vector<InstructionSet> instruction_sets() {
-    std::vector<InstructionSet> all{{HWY_STATIC_TARGET, 64}};
+    std::vector<InstructionSet> all{baseline};
     const auto has = hwy::SupportedTargets();
     if ((has & HWY_AVX2) != 0) all.push_back({HWY_AVX2, 256});
     if ((has & HWY_AVX3_DL) != 0) all.push_back({HWY_AVX3_DL, 512});

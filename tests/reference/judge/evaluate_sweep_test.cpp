@@ -29,8 +29,11 @@ catalog::Case case_with(std::vector<Check> checks) {
 }
 
 store::RunRecord run_of(const std::string& variant, double value, double standard_error = 0.01) {
-    store::RunRecord record{
-        .case_name = "small-sweep", .variant = variant, .code = "a", .seed = 1, .status = "ok"};
+    store::RunRecord record{.case_name = "small-sweep",
+                            .variant = variant,
+                            .code = "a",
+                            .seed = 1,
+                            .status = store::RunStatus::ok};
     record.results.measurements.push_back(
         {.observable = "slope", .value = value, .standard_error = standard_error, .n = 20});
     return record;
@@ -77,9 +80,9 @@ BOOST_AUTO_TEST_CASE(a_trend_is_judged_once_for_each_group_of_variants) {
     const auto the_case = case_with({trend_check(Aspect::constant)});
     const auto verdicts = evaluation_of(the_case, runs()).verdicts;
     BOOST_REQUIRE(verdicts.size() == 2U);
-    BOOST_TEST(verdicts[0].setting == "verlet-half-step");
+    BOOST_TEST(setting_text(verdicts[0]) == "verlet-half-step");
     BOOST_CHECK(verdicts[0].outcome == Outcome::agree);
-    BOOST_TEST(verdicts[1].setting == "verlet-predicted");
+    BOOST_TEST(setting_text(verdicts[1]) == "verlet-predicted");
     BOOST_CHECK(verdicts[1].outcome == Outcome::disagree);
     BOOST_TEST(!verdicts[1].expected);
 }
@@ -106,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_trend_without_its_reference_or_a_run_is_never_green) {
                 Outcome::no_reference);
     check = trend_check(Aspect::constant);
     auto records = runs();
-    records[1].status = "run_failed";
+    records[1].status = store::RunStatus::run_failed;
     BOOST_CHECK(evaluation_of(case_with({check}), records).verdicts.at(0).outcome ==
                 Outcome::run_failed);
     records = runs();
@@ -200,7 +203,7 @@ BOOST_AUTO_TEST_CASE(a_fit_is_judged_once_between_codes_and_against_the_literatu
     BOOST_REQUIRE(same.size() == 1U);
     BOOST_CHECK(same[0].outcome == Outcome::agree);
     BOOST_TEST(same[0].expected);
-    BOOST_TEST(same[0].setting == "");
+    BOOST_TEST(setting_text(same[0]) == "");
     BOOST_CHECK(judged(2).at(0).outcome == Outcome::disagree);
     check.kind = CheckKind::published;
     check.against = "published:test/number";  // 1
@@ -214,11 +217,11 @@ BOOST_AUTO_TEST_CASE(a_fit_with_a_failed_run_or_too_few_points_is_never_green) {
     check.against = "published:test/number";
     const auto the_case = fitted_case(check);
     auto failed = power_law(the_case, "a", 1);
-    failed[3].status = "run_failed";
+    failed[3].status = store::RunStatus::run_failed;
     BOOST_CHECK(evaluation_of(the_case, failed).verdicts.at(0).outcome == Outcome::run_failed);
     auto few = power_law(the_case, "a", 1);
     for (std::size_t i = 2; i < few.size(); ++i)
-        few[i].status = "not_run";
+        few[i].status = store::RunStatus::not_run;
     BOOST_CHECK(evaluation_of(the_case, few).verdicts.at(0).outcome == Outcome::undecided);
 }
 
@@ -229,7 +232,7 @@ BOOST_AUTO_TEST_CASE(an_observable_agrees_with_another_of_the_same_code_or_does_
     const auto the_case = fitted_case(check);
     const auto verdicts = evaluation_of(the_case, power_law(the_case, "a", 1)).verdicts;
     BOOST_REQUIRE(verdicts.size() == 4U);
-    BOOST_TEST(verdicts[1].against == "its own rise");
+    BOOST_TEST(to_string(verdicts[1].against) == "its own rise");
     BOOST_CHECK(verdicts[0].outcome == Outcome::undecided);  // no slope at the ends
     BOOST_CHECK(verdicts[2].outcome == Outcome::disagree);   // 4 against 1
     check.limit = 3;
@@ -279,7 +282,7 @@ BOOST_AUTO_TEST_CASE(two_variants_of_one_code_are_compared) {
     const auto same = evaluation_of(case_with({check}), runs()).verdicts;
     BOOST_REQUIRE(same.size() == 1U);
     BOOST_CHECK(same[0].outcome == Outcome::agree);
-    BOOST_TEST(same[0].against == "variant verlet-predicted/dt=0.001");
+    BOOST_TEST(to_string(same[0].against) == "variant verlet-predicted/dt=0.001");
     check.between[1] = "verlet-predicted/dt=0.002";
     BOOST_CHECK(evaluation_of(case_with({check}), runs()).verdicts.at(0).outcome ==
                 Outcome::disagree);

@@ -26,9 +26,9 @@ catalog::Case case_with(std::vector<Check> checks, const std::string& name = "sm
 }
 
 store::RunRecord run_of(const std::string& code, double value, double standard_error,
-                        const std::string& status = "ok") {
+                        store::RunStatus status = store::RunStatus::ok) {
     store::RunRecord record{.case_name = "small-gas", .code = code, .seed = 1, .status = status};
-    if (status != "ok") {
+    if (status != store::RunStatus::ok) {
         record.reason = "reason of " + code;
         return record;
     }
@@ -83,11 +83,12 @@ BOOST_AUTO_TEST_CASE(equivalence_is_undecided_without_enough_data) {
 BOOST_AUTO_TEST_CASE(a_code_without_a_result_is_never_green) {
     const auto the_case =
         case_with({check_of(CheckKind::parity, 1), check_of(CheckKind::agree, 1)});
-    for (const auto& [status, outcome] :
-         std::map<std::string, Outcome>{{"not_installed", Outcome::not_installed},
-                                        {"not_expressible", Outcome::not_expressible},
-                                        {"run_failed", Outcome::run_failed},
-                                        {"not_run", Outcome::undecided}}) {
+    for (const auto& [status, outcome] : std::map<store::RunStatus, Outcome>{
+             {store::RunStatus::not_installed, Outcome::not_installed},
+             {store::RunStatus::not_expressible, Outcome::not_expressible},
+             {store::RunStatus::run_failed, Outcome::run_failed},
+             {store::RunStatus::timed_out, Outcome::run_failed},
+             {store::RunStatus::not_run, Outcome::undecided}}) {
         const auto evaluation =
             evaluation_of(the_case, {run_of("a", 1, 0.01), run_of("b", 0, 0, status)});
         BOOST_TEST(evaluation.verdicts.size() == 2U);

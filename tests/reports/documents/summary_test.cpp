@@ -29,7 +29,7 @@ Verdict claim(Outcome outcome, double p_equivalent, double p_different) {
     return {.code = "a",
             .observable = "slope",
             .kind = Kind::agree,
-            .against = "b",
+            .against = {compare::Against::Kind::code, "b"},
             .difference = 0.1,
             .uncertainty = 0.1,
             .outcome = outcome,
@@ -39,7 +39,8 @@ Verdict claim(Outcome outcome, double p_equivalent, double p_different) {
 
 Verdict ratio(const std::string& code, double model, double reference) {
     return {.code = code,
-            .observable = "restitution (dt -> 0)",
+            .observable = "restitution",
+            .aspect = compare::Aspect::limit,
             .kind = Kind::exact,
             .difference = model - reference,
             .outcome = Outcome::agree,
@@ -98,10 +99,12 @@ BOOST_AUTO_TEST_CASE(bias_is_by_observable_and_code) {
 
 BOOST_AUTO_TEST_CASE(pairs_are_counted_by_outcome) {
     auto variant = claim(Outcome::agree, 0, 1);
-    variant.against = "variant double";
+    variant.against = {compare::Against::Kind::variant, "double"};
+    auto own = claim(Outcome::agree, 0, 1);
+    own.against = {compare::Against::Kind::own_observable, "mean_speed"};
     const auto report = report_of({claim(Outcome::agree, 0, 1), claim(Outcome::disagree, 1, 0),
                                    claim(Outcome::undecided, 0.5, 1),
-                                   claim(Outcome::not_installed, 1, 1), variant});
+                                   claim(Outcome::not_installed, 1, 1), variant, own});
     const auto rows = reports::pair_rows(report);
     BOOST_REQUIRE(rows.size() == 1U);
     BOOST_TEST(rows[0].agree == 1U);
@@ -110,6 +113,6 @@ BOOST_AUTO_TEST_CASE(pairs_are_counted_by_outcome) {
     BOOST_TEST(rows[0].absent == 1U);
     const auto document = reports::summary_document(report);
     BOOST_TEST(document["pairs"][0]["a"] == "a");
-    BOOST_TEST(document["correction"]["verdicts"] == 4);
+    BOOST_TEST(document["correction"]["verdicts"] == 5);
     BOOST_TEST(reports::summary_tables(report).find("1 agree, 1 disagree") != std::string::npos);
 }

@@ -40,7 +40,7 @@ std::vector<store::RunRecord> runs_of(const catalog::Case& the_case, std::int64_
                                     .variant = variant.name,
                                     .code = "native-dem",
                                     .replica = replica,
-                                    .status = "ok"};
+                                    .status = store::RunStatus::ok};
             record.results.measurements.push_back({.observable = "granular_temperature",
                                                    .value = temperature(variant, replica),
                                                    .unit = "l^2/t^2"});
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_missing_combination_is_never_made_up) {
         return record.variant == "radius/radius/project/spring-only" && record.replica == 2;
     });
     BOOST_TEST_REQUIRE((failed != records.end()));
-    failed->status = "run_failed";
+    failed->status = store::RunStatus::run_failed;
     const auto all_but_one = studies::attribute_conventions(judge::CaseRuns(*the_case, records));
     const auto& through = pair_of(all_but_one, "lammps-hooke-history", "liggghts");
     BOOST_TEST(through.observables[0].attribution.difference.n == 4U);  // that replica is left out

@@ -26,8 +26,11 @@ std::shared_ptr<const catalog::Case> sweep(std::vector<catalog::Fit> fits = {}) 
 
 store::RunRecord run_of(const std::string& code, const std::string& variant, double value,
                         double error, const std::string& label = "wave") {
-    store::RunRecord record{
-        .case_name = "small-sweep", .variant = variant, .code = code, .seed = 1, .status = "ok"};
+    store::RunRecord record{.case_name = "small-sweep",
+                            .variant = variant,
+                            .code = code,
+                            .seed = 1,
+                            .status = store::RunStatus::ok};
     record.results.measurements = {
         {.observable = "ratio", .value = value, .standard_error = error, .n = 20},
         {.observable = "half", .value = 2, .standard_error = 0.02, .n = 20}};
@@ -121,7 +124,7 @@ BOOST_AUTO_TEST_CASE(what_has_not_run_is_never_green) {
         phenomenon("[[row]]\nquantity = \"q\"\nreason = \"test\"\n" + row), {}, literature());
     BOOST_CHECK(nothing.rows[0].outcome == Outcome::no_reference);
     auto failed = run_of("b", first, 1.37, 0.01);
-    failed.status = "run_failed";
+    failed.status = store::RunStatus::run_failed;
     failed.reason = "it broke";
     const auto broken = filled(row, {run_of("a", first, 1.37, 0.01), failed});
     BOOST_TEST(broken.cells[1].reason == "it broke");

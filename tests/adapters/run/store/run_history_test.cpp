@@ -27,7 +27,7 @@ namespace {
 
 RunRecord failed_run(const std::string& key) {
     auto run = stored_run(key);
-    run.status = "run_failed";
+    run.status = store::RunStatus::run_failed;
     run.reason = "dump ends in the middle of frame 7";
     run.log_tail = "ERROR: lost atoms\nLast command: run 100";
     run.results = {};
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(the_newest_run_is_found_also_when_it_failed) {
     BOOST_TEST(results.find("key").value().results.measurements.at(0).value == 2.0);
     // An older success must not hide that it does not work any more.
     (void)results.add(failed_run("key"));
-    BOOST_TEST(results.find("key").value().status == "run_failed");
+    BOOST_TEST(results.find("key").value().status == store::RunStatus::run_failed);
     BOOST_TEST(results.find("key").value().reason == failed_run("key").reason);
 }
 

@@ -4,7 +4,7 @@
 
 #include "adapters/run/monitor.hpp"
 
-namespace crossgrain::app {
+namespace crossgrain::terminal {
 
 /// On stderr; `quiet`: notes only.
 class TerminalMonitor final : public run::Monitor {
@@ -20,4 +20,4 @@ class TerminalMonitor final : public run::Monitor {
     bool quiet_;
 };
 
-}  // namespace crossgrain::app
+}  // namespace crossgrain::terminal

@@ -1,4 +1,4 @@
-#include "app/output.hpp"
+#include "reports/terminal/output.hpp"
 
 #include "native/base/printable.hpp"
 #include "reports/documents/json_text.hpp"
@@ -12,7 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace crossgrain::app {
+namespace crossgrain::terminal {
 namespace {
 
 /// errno of the first write to stdout that failed.
@@ -85,4 +85,4 @@ std::exception_ptr failure_of(const std::function<void()>& write) {
     }
 }
 
-}  // namespace crossgrain::app
+}  // namespace crossgrain::terminal

@@ -1,7 +1,7 @@
-#include "app/progress.hpp"
+#include "reports/terminal/progress.hpp"
 
-#include "app/output.hpp"
 #include "native/base/printable.hpp"
+#include "reports/terminal/output.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-namespace crossgrain::app {
+namespace crossgrain::terminal {
 namespace {
 
 std::string duration_text(double seconds) {
@@ -131,4 +131,4 @@ std::unique_ptr<run::Progress> TerminalMonitor::begin(std::size_t runs, double t
     return std::make_unique<TerminalProgress>(runs, total_seconds, workers);
 }
 
-}  // namespace crossgrain::app
+}  // namespace crossgrain::terminal

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 
-namespace crossgrain::app {
+namespace crossgrain::terminal {
 
 /// Opens what the caller has closed of stdin, stdout and stderr, so that no file of ours is taken
 /// for one of them. What is then written to a closed one fails, as it should. To be called first.
@@ -52,4 +52,4 @@ void print_note(fmt::format_string<T...> format, T&&... values) {
 /// what was thrown is thrown again afterwards.
 [[nodiscard]] std::exception_ptr failure_of(const std::function<void()>& write);
 
-}  // namespace crossgrain::app
+}  // namespace crossgrain::terminal

@@ -1,0 +1,52 @@
+#include "adapters/run/measured_dump.hpp"
+
+#include "adapters/dump/dump_reader.hpp"
+#include "adapters/run/preparation.hpp"
+#include "cases/observables/estimators.hpp"
+#include "cases/scene/frame_guard.hpp"
+#include "native/base/errors.hpp"
+#include "native/base/printable.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+
+namespace crossgrain::run {
+
+store::RunRecord measure_dump(const catalog::Case& the_case, const GivenDump& dump,
+                              const Settings& settings, const std::stop_token& stop) {
+    const auto given = std::make_shared<const scene::AnyScene>(
+        the_case.scene(dump.variant, dump.rung, settings.seed));
+    const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, stop);
+    const auto& scene = std::get<scene::Scene>(*ready);
+    const auto estimators = observables::make_estimators(the_case, scene);
+    scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
+        if (stop.stop_requested()) throw Interrupted();
+        for (const auto& estimator : estimators)
+            estimator->add(frame);
+    });
+    store::RunRecord record{.case_name = the_case.name,
+                            .variant = the_case.variants[dump.variant].name,
+                            .rung = dump.rung,
+                            .code = printable(dump.name),
+                            .version = "read from a dump",
+                            .seed = settings.seed,
+                            .created = store::utc_now()};
+    const std::string file = printable(dump.file.string(), std::string::npos);
+    record.settings_json = nlohmann::json{{"dump", file}}.dump();
+    try {
+        adapters::dump::read_dump_file(dump.file, scene, std::ref(guard));
+        guard.finish();
+        for (const auto& estimator : estimators)
+            estimator->finish(record.results);
+        record.status = store::RunStatus::ok;
+    } catch (const TrajectoryError& error) {
+        record.status = store::RunStatus::run_failed;
+        record.reason = fmt::format("{}: {}", file, printable(error.what()));
+    }
+    return record;
+}
+
+}  // namespace crossgrain::run
