@@ -4,6 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # folder = folders it may include besides itself. The only list; ARCHITECTURE.md explains it.
 set(rule_native/base "")
+set(rule_native/numerics native/base)
 set(rule_native/dem native/base)
 set(rule_native/friction native/base)
 set(rule_native/lga native/base)
@@ -11,10 +12,10 @@ set(rule_native/hopper native/base)
 set(rule_cases/toml native/base)
 set(rule_cases/scene native/base cases/toml)
 set(rule_cases/catalog native/base cases/toml cases/scene)
-set(rule_cases/measure native/base cases/scene)
-set(rule_cases/measure/statistics native/base)
+set(rule_cases/measure native/base native/numerics cases/scene)
+set(rule_cases/measure/statistics native/base native/numerics)
 foreach(model IN ITEMS bed collision gas hopper pipe discharge)
-    set(rule_cases/measure/${model} native/base cases/scene cases/measure cases/measure/statistics)
+    set(rule_cases/measure/${model} native/base native/numerics cases/scene cases/measure cases/measure/statistics)
 endforeach()
 list(APPEND rule_cases/measure/collision cases/measure/bed)  # how plates move
 list(APPEND rule_cases/measure/pipe cases/measure/gas)       # one definition of waves for both
@@ -31,9 +32,9 @@ endforeach()
 foreach(code IN ITEMS lammps liggghts)
     list(APPEND rule_adapters/${code} adapters/lammps_family)
 endforeach()
-set(rule_reference/analytic native/base)
+set(rule_reference/analytic native/base native/numerics)
 set(rule_reference/published native/base cases/toml)
-set(rule_reference/compare native/base reference/analytic reference/published cases/measure
+set(rule_reference/compare native/base native/numerics reference/analytic reference/published cases/measure
                            cases/measure/statistics)
 set(rule_reports/store native/base cases/measure reference/compare)
 set(rule_reports/web native/base cases/measure reference/compare reports/store)
