@@ -1,6 +1,6 @@
 #include "reference/analytic/packing_stability.hpp"
 
-#include "native/numerics/dominant_eigenpair.hpp"
+#include "native/numerics/damped_modes.hpp"
 #include "native/numerics/joint_modes.hpp"
 #include "native/numerics/symmetric_eigenpair.hpp"
 #include "reference/analytic/scheme_stability.hpp"
@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace crossgrain::analytic {
@@ -27,18 +27,17 @@ PackingLimit limit_of_mode(TimeScheme scheme, const PackingMatrices& m, const Ve
     for (Eigen::Index block = 0; block < mode.state.size(); ++block)
         state.segment(block * u.size(), u.size()) = mode.state(block) * u;
     const StepMap map(scheme, m, dt);
-    return {.dt = dt,
-            .eigenvalue = mode.value,
-            .residual = numerics::eigenpair_residual(std::cref(map), mode.value, state)};
+    return {
+        .dt = dt, .eigenvalue = mode.value, .residual = eigenpair_residual(map, mode.value, state)};
 }
 
 PackingLimit limit_at_minus_one(TimeScheme scheme, const PackingMatrices& m, double g) {
     const auto extreme = [&](double dt) {
         const Matrix a = dt * dt * m.stiffness + g * dt * m.damping;
-        const auto pair = numerics::largest_eigenpair(a, {.residual = 1e-7});
+        const auto pair = numerics::largest_eigenpair(a, {.residual = 1e-9});
         return Vector(Eigen::Map<const Vector>(pair.vector.data(), a.rows()));
     };
-    double dt = 2 / std::sqrt(numerics::largest_eigenpair(m.stiffness, {.residual = 1e-7}).value);
+    double dt = 2 / std::sqrt(numerics::largest_eigenpair(m.stiffness, {.residual = 1e-9}).value);
     for (int round = 0; round < 50; ++round) {
         const Vector u = extreme(dt);
         const double next =
@@ -71,102 +70,74 @@ PackingLimit limit_of_modes(TimeScheme scheme, const PackingMatrices& m,
     return limit_of_mode(scheme, m, modes.vectors.col(at), least);
 }
 
-/// Near the limit of any scheme: 2 over the largest frequency or damping rate.
-double first_guess(const PackingMatrices& m) {
-    const double frequency = std::sqrt(numerics::largest_eigenpair(m.stiffness).value);
-    return 2 / std::max(frequency, numerics::largest_eigenpair(m.damping).value);
+/// The least limit over the eigenvalues mu of u'' = -K u - C u' in explicit Euler or Runge-Kutta.
+struct CriticalEigenvalue {
+    double dt = std::numeric_limits<double>::infinity();
+    std::complex<double> mu;
+};
+
+CriticalEigenvalue critical_eigenvalue(TimeScheme scheme, const Matrix& k, const Matrix& c) {
+    const Eigen::VectorXcd all = numerics::damped_eigenvalues(k, c);
+    // What moves freely has mu = 0 twice, with one state, which round-off splits by its root.
+    const double fastest = all.cwiseAbs().maxCoeff(), free = 1e-6 * fastest;
+    CriticalEigenvalue critical;
+    for (const std::complex<double> mu : all) {
+        if (std::abs(mu) <= free) continue;
+        const double limit = eigenvalue_time_step_limit(scheme, mu);
+        if (limit < critical.dt) critical = {limit, mu};
+    }
+    return critical;
 }
 
-/// The eigenvalue of largest modulus of the packing's map, its translations left out: they have
-/// z = 1 twice, with one state, which round-off splits into moduli on both sides of 1.
-class SpectralRadius {
-  public:
-    SpectralRadius(TimeScheme scheme, const PackingMatrices& m)
-        : scheme_(scheme), matrices_(m),
-          free_along_y_(is_null(m, translation(m.stiffness.rows(), 1))) {}
+/// State (u, h v) and eigenvalue of the map from the mode of `mu` in the matrices k and c.
+PackingLimit limit_of_eigenvalue(TimeScheme scheme, const PackingMatrices& m, double dt,
+                                 std::complex<double> z, const numerics::DampedMode& mode) {
+    const Eigen::Index rows = mode.vector.size();
+    const bool taguchi = scheme == TimeScheme::taguchi_euler;
+    Eigen::VectorXcd state(2 * rows);
+    state.head(rows) = mode.vector;
+    // Taguchi's u grows by h v + h^2 a/2 = (h v) (1 + (z - 1)/2), h v by (h v) (z - 1).
+    state.tail(rows) = mode.vector * (taguchi ? 2.0 * (z - 1.0) / (z + 1.0) : mode.eigenvalue * dt);
+    const StepMap map(scheme, m, dt);
+    return {.dt = dt, .eigenvalue = z, .residual = eigenpair_residual(map, z, state)};
+}
 
-    [[nodiscard]] numerics::DominantEigenpair at(double dt) const {
-        const StepMap map(scheme_, matrices_, dt);
-        const numerics::LinearMap relative = [&](const Vector& before, Vector& after) {
-            map(before, after);
-            remove_translations(after);
-        };
-        return numerics::dominant_eigenpair(static_cast<std::size_t>(map.size()), relative,
-                                            {.power = 255});
-    }
+PackingLimit limit_of_damped_modes(TimeScheme scheme, const PackingMatrices& m) {
+    const auto [dt, mu] = critical_eigenvalue(scheme, m.stiffness, m.damping);
+    if (dt == 0) return {};
+    return limit_of_eigenvalue(scheme, m, dt, growth_factor(scheme, mu * dt),
+                               numerics::damped_mode(m.stiffness, m.damping, mu));
+}
 
-  private:
-    static Vector translation(Eigen::Index rows, Eigen::Index axis) {
-        Vector t = Vector::Zero(rows);
-        t(Eigen::seq(axis, Eigen::last, 2)).setOnes();
-        return t;
-    }
-
-    static bool is_null(const PackingMatrices& m, const Vector& u) {
-        constexpr double round_off = 1e-12;
-        return (m.stiffness * u).norm() <= round_off * m.stiffness.norm() * u.norm() &&
-               (m.damping * u).norm() <= round_off * m.damping.norm() * u.norm();
-    }
-
-    void remove_translations(Vector& state) const {
-        const Eigen::Index rows = matrices_.stiffness.rows();
-        for (Eigen::Index block = 0; block < state.size(); block += rows) {
-            for (Eigen::Index axis = 0; axis < (free_along_y_ ? 2 : 1); ++axis) {
-                auto along = state(Eigen::seqN(block + axis, rows / 2, 2));
-                along.array() -= along.mean();
-            }
-        }
-    }
-
-    TimeScheme scheme_;
-    const PackingMatrices& matrices_;
-    bool free_along_y_;  ///< no plates; along x there are none
-};
-
-/// A time step and |z| - 1 there.
-struct Growth {
-    double dt = 0, rate = 0;
-};
-
-/// Brackets the limit and closes in on it: the growth is nearly linear above the limit, whose
-/// extrapolation from the two lowest unstable steps is tried from both sides; every third step
-/// bisects. Below the limit the growth says nothing: other modes have the largest modulus there.
-PackingLimit limit_by_spectral_radius(TimeScheme scheme, const PackingMatrices& m) {
-    // Parts of the packing that move freely against each other have z = 1 twice as well.
-    constexpr double outside = 1e-7, resolution = 1e-5;
-    const SpectralRadius radius(scheme, m);
-    numerics::DominantEigenpair pair;
-    const auto growth = [&](double dt) {
-        pair = radius.at(dt);
-        return std::abs(pair.value) - 1;
+/// With y = (z - 1)/h the map of Taguchi's Euler has y^2 + y (C + h K/2) + K = 0: it is explicit
+/// Euler with more damping, which depends on h. The limit is where that scheme's limit is h; the
+/// secant method finds it.
+PackingLimit limit_of_taguchi(const PackingMatrices& m) {
+    constexpr double resolution = 1e-9;
+    constexpr int most_rounds = 20;
+    const auto damping = [&](double dt) { return Matrix(m.damping + dt / 2 * m.stiffness); };
+    CriticalEigenvalue critical;
+    const auto excess = [&](double dt) {
+        critical = critical_eigenvalue(TimeScheme::explicit_euler, m.stiffness, damping(dt));
+        return critical.dt - dt;
     };
-    double stable = 0;
-    Growth unstable{.dt = first_guess(m)}, before;
-    // In small steps, so that the powers of the map do not overflow.
-    while ((unstable.rate = growth(unstable.dt)) <= outside)
-        stable = std::exchange(unstable.dt, 1.5 * unstable.dt);
-    numerics::DominantEigenpair critical = pair;
-    double side = -1;
-    for (int round = 1; unstable.dt - stable > resolution * unstable.dt; ++round) {
-        double next = (stable + unstable.dt) / 2;
-        if (before.dt > 0 && round % 3 != 0) {
-            const double root = unstable.dt - unstable.rate * (before.dt - unstable.dt) /
-                                                  (before.rate - unstable.rate);
-            const double beside = root * (1 + side * resolution / 3);
-            if (beside > stable && beside < unstable.dt) next = beside;
-        }
-        const double rate = growth(next);
-        side = rate > outside ? -1 : 1;
-        if (rate > outside) {
-            before = std::exchange(unstable, {next, rate});
-            critical = pair;
-        } else {
-            stable = next;
-        }
+    double before = 0, excess_before = excess(0);
+    // For one mode of little damping it is twice that of explicit Euler.
+    double dt = 2 * excess_before;
+    if (dt == 0) return {};
+    for (int round = 0; round < most_rounds; ++round) {
+        const double here = excess(dt);
+        if (std::abs(here) <= resolution * dt) break;
+        const double next = dt - here * (before - dt) / (excess_before - here);
+        before = std::exchange(dt, next);
+        excess_before = here;
     }
-    return {.dt = (stable + unstable.dt) / 2,
-            .eigenvalue = critical.value,
-            .residual = critical.residual};
+    if (!(std::abs(critical.dt - dt) <= 1e-6 * dt)) {
+        throw std::runtime_error("the time-step limit of Taguchi's Euler has not converged");
+    }
+    const std::complex<double> z = growth_factor(TimeScheme::explicit_euler, critical.mu * dt);
+    return limit_of_eigenvalue(TimeScheme::taguchi_euler, m, dt, z,
+                               numerics::damped_mode(m.stiffness, damping(dt), critical.mu));
 }
 
 }  // namespace
@@ -185,7 +156,8 @@ std::optional<PackingLimit> packing_time_step_limit(TimeScheme scheme,
     if (const auto g = damping_weight(scheme)) return limit_at_minus_one(scheme, m, *g);
     if (const auto modes = numerics::joint_modes(m.stiffness, m.damping))
         return limit_of_modes(scheme, m, *modes);
-    return limit_by_spectral_radius(scheme, m);
+    if (scheme == TimeScheme::taguchi_euler) return limit_of_taguchi(m);
+    return limit_of_damped_modes(scheme, m);
 }
 
 }  // namespace crossgrain::analytic

@@ -8,8 +8,10 @@
 //     dt^2 u'Ku + g dt u'Cu = 4, which falls monotonically;
 //   mode by mode, where K and C commute (periodic lattices; springs and dashpots along the same
 //     bonds): the least of mode_time_step_limit;
-//   from the spectral radius of the map, where they do not commute (plates have springs but no
-//     dashpots), by bisection.
+//   from the eigenvalues of the equation of motion (native/numerics/damped_modes.hpp), where they
+//     do not commute: plates have springs but no dashpots. Explicit Euler and Runge-Kutta multiply
+//     the state of an eigenvalue mu with a polynomial in mu dt; Taguchi's Euler is explicit Euler
+//     with the damping C + dt K/2.
 #pragma once
 
 #include "reference/analytic/closed_packing.hpp"
@@ -22,10 +24,8 @@ namespace crossgrain::analytic {
 
 struct PackingLimit {
     double dt = 0;  ///< largest stable time step (t); 0 for a scheme that never is stable
-    /// Of the one-step map, on the unit circle; found by bisection it is that of the unstable end,
-    /// which is within 1e-5 of dt.
-    std::complex<double> eigenvalue;
-    double residual = 0;  ///< |M s - z s|/(|z| |s|) of that eigenvalue and its state s
+    std::complex<double> eigenvalue;  ///< of the one-step map, on the unit circle
+    double residual = 0;              ///< |M s - z s|/(|z| |s|) of that eigenvalue and its state s
 };
 
 struct PackingFrequency {

@@ -9,6 +9,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace crossgrain::analytic {
 namespace {
@@ -19,32 +20,11 @@ double limit_at_minus_one(double w, double c, double g) {
     return 4 / (b + std::sqrt(b * b + 4 * w * w));
 }
 
-double explicit_euler_limit(double w, double c) {
-    const double complex_pair = c / (w * w);
-    const double radicand = c * c - 4 * w * w;
-    if (radicand < 0) return complex_pair;
-    // The smaller root of w^2 h^2 - 2 c h + 4 = 0 in the form without cancellation.
-    return std::min(complex_pair, 4 / (c + std::sqrt(radicand)));
-}
-
-double runge_kutta_limit(double w, double c) {
+/// The two roots of l^2 + c l + w^2, w > 0, without cancellation.
+std::array<std::complex<double>, 2> roots(double w, double c) {
     const auto root = std::sqrt(std::complex<double>(c * c / 4 - w * w));
-    const auto growth = [&](double h) {
-        double largest = 0;
-        for (const auto l : {-c / 2 + root, -c / 2 - root}) {
-            const auto z = l * h;
-            largest = std::max(
-                largest, std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))));
-        }
-        return largest;
-    };
-    // The region of stability ends within |z| = 4 in every direction.
-    double stable = 0, unstable = 4 / std::max(std::abs(-c / 2 + root), std::abs(-c / 2 - root));
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (stable + unstable) / 2;
-        (growth(middle) <= 1 ? stable : unstable) = middle;
-    }
-    return stable;
+    const auto larger = -c / 2 - root;
+    return {larger, w * w / larger};
 }
 
 struct Mode {
@@ -72,6 +52,25 @@ std::array<Mode, 2> lattice_modes(double qx, double qy, double k, double eta, Da
 
 }  // namespace
 
+std::complex<double> growth_factor(TimeScheme scheme, std::complex<double> z) {
+    if (scheme == TimeScheme::explicit_euler) return 1.0 + z;
+    if (scheme == TimeScheme::runge_kutta_4)
+        return 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
+    throw std::domain_error(
+        "only explicit Euler and Runge-Kutta multiply by a polynomial in mu dt");
+}
+
+double eigenvalue_time_step_limit(TimeScheme scheme, std::complex<double> mu) {
+    if (scheme == TimeScheme::explicit_euler) return std::max(0.0, -2 * mu.real() / std::norm(mu));
+    // The region of stability ends within |z| = 4 in every direction.
+    double stable = 0, unstable = 4 / std::abs(mu);
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (stable + unstable) / 2;
+        (std::abs(growth_factor(scheme, middle * mu)) <= 1 ? stable : unstable) = middle;
+    }
+    return stable;
+}
+
 std::optional<double> damping_weight(TimeScheme scheme) {
     switch (scheme) {
     case TimeScheme::half_step_verlet:
@@ -92,8 +91,11 @@ double mode_time_step_limit(TimeScheme scheme, double frequency, double damping_
     if (const auto g = damping_weight(scheme)) {
         return limit_at_minus_one(frequency, damping_rate, *g);
     }
-    if (scheme == TimeScheme::explicit_euler) return explicit_euler_limit(frequency, damping_rate);
-    if (scheme == TimeScheme::runge_kutta_4) return runge_kutta_limit(frequency, damping_rate);
+    if (scheme != TimeScheme::taguchi_euler) {
+        const auto [first, second] = roots(frequency, damping_rate);
+        return std::min(eigenvalue_time_step_limit(scheme, first),
+                        eigenvalue_time_step_limit(scheme, second));
+    }
     if (damping_rate == 0) return 0;
     return std::min(2 / damping_rate, 2 * damping_rate / (frequency * frequency));
 }

@@ -24,6 +24,7 @@
 #include "reference/analytic/oblique_collision.hpp"
 #include "reference/analytic/time_scheme.hpp"
 
+#include <complex>
 #include <optional>
 
 namespace crossgrain::analytic {
@@ -38,6 +39,14 @@ namespace crossgrain::analytic {
 /// `damping_rate` >= 0 (1/t); 0 for a scheme that never is stable. Throws std::domain_error for
 /// arguments out of range.
 [[nodiscard]] double mode_time_step_limit(TimeScheme scheme, double frequency, double damping_rate);
+
+/// What one step of dt multiplies u with, u' = mu u: R(mu dt) with R the polynomial of the scheme,
+/// 1 + x (explicit Euler) or that of degree four of exp (Runge-Kutta). Throws std::domain_error for
+/// another scheme.
+[[nodiscard]] std::complex<double> growth_factor(TimeScheme scheme, std::complex<double> mu_dt);
+
+/// Largest dt (t) for u' = mu u, mu not 0, in one of these two schemes: |R(mu dt)| <= 1.
+[[nodiscard]] double eigenvalue_time_step_limit(TimeScheme scheme, std::complex<double> mu);
 
 /// Largest dt (t) in the triangular lattice with all contacts closed (stability_limit.hpp): the
 /// least over its modes, on a grid of wave vectors that holds the middle and the corner of the

@@ -87,6 +87,17 @@ void StepMap::operator()(const Vector& before, Vector& after) const {
     after.segment(rows_, rows_) = v;
 }
 
+double eigenpair_residual(const StepMap& map, std::complex<double> value,
+                          const Eigen::VectorXcd& state) {
+    Vector real, imaginary;
+    map(state.real(), real);
+    map(state.imag(), imaginary);
+    Eigen::VectorXcd off = -value * state;
+    off.real() += real;
+    off.imag() += imaginary;
+    return off.norm() / (std::abs(value) * state.norm());
+}
+
 ModeEigenpair dominant_of_mode(TimeScheme scheme, double frequency_squared, double damping_rate,
                                double dt) {
     const StepMap map(scheme, {frequency_squared * identity(1), damping_rate * identity(1)}, dt);

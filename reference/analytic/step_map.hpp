@@ -35,6 +35,10 @@ class StepMap {
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> implicit_;
 };
 
+/// |M s - z s|/(|z| |s|) of a map M, its state s and the eigenvalue z that it is to have.
+[[nodiscard]] double eigenpair_residual(const StepMap& map, std::complex<double> value,
+                                        const Eigen::VectorXcd& state);
+
 /// Eigenvalue of largest modulus of the scheme's map of one mode, of squared frequency
 /// `frequency_squared` (1/t^2) and damping rate `damping_rate` (1/t), with its state, shape (2 or
 /// 3).
