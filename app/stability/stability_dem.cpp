@@ -17,6 +17,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace crossgrain::app {
 namespace {
@@ -101,7 +102,25 @@ double limit_in_lattice(const Scene& scene, analytic::TimeScheme scheme) {
                                                  : analytic::Damping::normal_only);
 }
 
-/// Codes that are here and can run the packing; the first alone where there is no theory.
+/// A code that is here and can run the packing.
+struct Runner {
+    const GrainCode* code;
+    adapters::Availability available;
+};
+
+std::vector<Runner> runners_of(const Scene& packing,
+                               const std::vector<const adapters::Code*>& codes) {
+    std::vector<Runner> runners;
+    for (const auto* code : codes) {
+        const auto* runner = dynamic_cast<const GrainCode*>(code);
+        if (runner == nullptr || runner->cannot_express(packing)) continue;
+        if (auto available = code->probe(); available.installed)
+            runners.push_back({runner, std::move(available)});
+    }
+    return runners;
+}
+
+/// In all codes that can run the packing; in the first alone where there is no theory.
 void add_searches(const Scene& model, const Method& method, double restitution, ContactState state,
                   const std::vector<const adapters::Code*>& codes, PackingLimits& limits,
                   std::vector<ThresholdSearch>& searches) {
@@ -111,6 +130,8 @@ void add_searches(const Scene& model, const Method& method, double restitution, 
     packing.integrator = method.integrator;
     packing.steps = packing.frame_every = 1;
     packing.dt = limit_in_lattice(packing, method.theory);
+    std::vector<Runner> runners = runners_of(packing, codes);
+    if (runners.empty()) return;
     StabilityThreshold found{.method = method_name(packing, restitution, state),
                              .parameter = "dt",
                              .theory_source = packing_theory,
@@ -122,16 +143,12 @@ void add_searches(const Scene& model, const Method& method, double restitution, 
         if (theory.limit > 0 && !limited_by_solver(packing, theory.limit) &&
             resolved_by_trial(method.theory, theory.eigenvalue, found.tolerance))
             found.theory = theory.limit;
+    } else {
+        runners.resize(1);
     }
-    for (const auto* code : codes) {
-        const auto* runner = dynamic_cast<const GrainCode*>(code);
-        if (runner == nullptr || runner->cannot_express(packing)) continue;
-        const auto available = code->probe();
-        if (!available.installed) continue;
+    for (const auto& [code, available] : runners) {
         found.code = code->name();
-        searches.push_back({runner, available.version, available.digest, packing,
-                            found.theory.value_or(packing.dt), found});
-        if (state == ContactState::open) return;
+        searches.push_back({code, available.version, available.digest, packing, packing.dt, found});
     }
 }
 
