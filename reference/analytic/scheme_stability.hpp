@@ -1,5 +1,5 @@
-// Largest stable time step of the integration schemes: for one mode, for the triangular lattice,
-// and for any packing of discs.
+// Largest stable time step of the integration schemes, for one mode and for the triangular lattice
+// (packing_stability.hpp: for any packing of discs).
 //
 // One normal mode, x'' = -w^2 x - c x', with W = w^2 dt^2 and C = c dt. Each scheme multiplies its
 // state by a matrix; the powers stay bounded while the roots z of its characteristic polynomial lie
@@ -19,34 +19,34 @@
 //     z^2 - (2 - W/2 - C) z + (1 - C + W/2)       W = 2 C (complex), C = 2 (z = -1)
 //   classical Runge-Kutta: |R(l dt)| = 1 for a root l of l^2 + c l + w^2, R the polynomial of
 //     degree four of exp; undamped: w dt = 2 sqrt 2.
-//
-// A packing at equilibrium has x'' = -D x - C x' with matrices instead. Where the first root to
-// leave is z = -1 (the Verlet family), the condition is that the largest eigenvalue of
-// dt^2 D + g dt C reaches 4, with g = 2 (half-step), 4 (predicted) or 0 (Crank-Nicolson): the
-// matrices need not commute, so that it holds with plates, which have springs but no dashpots.
 #pragma once
 
 #include "reference/analytic/oblique_collision.hpp"
+#include "reference/analytic/time_scheme.hpp"
 
+#include <complex>
 #include <optional>
-#include <vector>
 
 namespace crossgrain::analytic {
 
-enum class TimeScheme {
-    half_step_verlet,
-    predicted_verlet,
-    crank_nicolson_leapfrog,
-    semi_implicit_euler,
-    explicit_euler,
-    taguchi_euler,
-    runge_kutta_4
-};
+/// g of the condition dt^2 w^2 + g dt c = 4 at which z = -1 leaves the unit disc first: 2
+/// (half-step Verlet, semi-implicit Euler), 4 (predicted Verlet), 0 (Crank-Nicolson); nothing for
+/// other schemes. With matrices instead of w^2 and c the largest eigenvalue takes the place of the
+/// sum, for every state u has a w^2 = u'Ku and a c = u'Cu of its own, and they need not commute.
+[[nodiscard]] std::optional<double> damping_weight(TimeScheme scheme);
 
 /// Largest dt (t) for a mode of angular frequency `frequency` > 0 (1/t), damped at the rate
 /// `damping_rate` >= 0 (1/t); 0 for a scheme that never is stable. Throws std::domain_error for
 /// arguments out of range.
 [[nodiscard]] double mode_time_step_limit(TimeScheme scheme, double frequency, double damping_rate);
+
+/// What one step of dt multiplies u with, u' = mu u: R(mu dt) with R the polynomial of the scheme,
+/// 1 + x (explicit Euler) or that of degree four of exp (Runge-Kutta). Throws std::domain_error for
+/// another scheme.
+[[nodiscard]] std::complex<double> growth_factor(TimeScheme scheme, std::complex<double> mu_dt);
+
+/// Largest dt (t) for u' = mu u, mu not 0, in one of these two schemes: |R(mu dt)| <= 1.
+[[nodiscard]] double eigenvalue_time_step_limit(TimeScheme scheme, std::complex<double> mu);
 
 /// Largest dt (t) in the triangular lattice with all contacts closed (stability_limit.hpp): the
 /// least over its modes, on a grid of wave vectors that holds the middle and the corner of the
@@ -54,24 +54,5 @@ enum class TimeScheme {
 /// out of range.
 [[nodiscard]] double lattice_time_step_limit(TimeScheme scheme, double stiffness, double damping,
                                              double mass, Damping damping_acts_on);
-
-/// Discs at rest, near equilibrium. Forces within the overlaps (their turning with the bond) are
-/// neglected: a relative error of the order of overlap/diameter.
-struct ClosedPacking {
-    std::vector<double> x, y;                  ///< shape (grains)
-    std::optional<double> period_x, period_y;  ///< open where absent
-    double diameter = 0, mass = 0, stiffness = 0, damping = 0;
-    Damping damping_acts_on = Damping::full_vector;
-    double plate_stiffness = 0;         ///< elastic plates that touch centres
-    std::optional<double> bottom, lid;  ///< heights
-};
-
-/// Largest angular frequency (1/t) of the contacts there are, by power iteration.
-[[nodiscard]] double largest_packing_frequency(const ClosedPacking& packing);
-
-/// Largest dt (t), by power iteration; nothing for a scheme outside of the Verlet family, or for a
-/// packing without contacts.
-[[nodiscard]] std::optional<double> packing_time_step_limit(TimeScheme scheme,
-                                                            const ClosedPacking& packing);
 
 }  // namespace crossgrain::analytic

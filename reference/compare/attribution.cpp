@@ -12,8 +12,8 @@
 namespace crossgrain::compare {
 namespace {
 
-using measure::mean_with_error;
-using measure::MeanWithError;
+using numerics::mean_with_error;
+using numerics::MeanWithError;
 using Settings = std::span<const std::vector<double>>;
 
 constexpr double level = 0.05;
@@ -51,7 +51,7 @@ std::vector<double> difference(const std::vector<double>& to, const std::vector<
     return by_replica;
 }
 
-bool differs_from_zero(const MeanWithError& mean, std::size_t family) {
+bool differs_from_zero(const numerics::MeanWithError& mean, std::size_t family) {
     const double probability = 1 - level / 2 / static_cast<double>(family);
     const double t = student_quantile(probability, static_cast<double>(mean.n - 1));
     return std::abs(mean.value) > t * mean.standard_error;

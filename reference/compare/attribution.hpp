@@ -8,7 +8,7 @@
 //   v(0).
 #pragma once
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <cstddef>
 #include <span>
@@ -18,21 +18,21 @@ namespace crossgrain::compare {
 
 /// What one switch makes of the difference, B minus A.
 struct Contribution {
-    measure::MeanWithError average;  ///< phi_i, over all orders
-    measure::MeanWithError first;    ///< turned first: alone in A
-    measure::MeanWithError last;     ///< turned last: all others are already those of B
+    numerics::MeanWithError average;  ///< phi_i, over all orders
+    numerics::MeanWithError first;    ///< turned first: alone in A
+    numerics::MeanWithError last;     ///< turned last: all others are already those of B
     /// Whether phi_i differs from 0 at 95 %, corrected for the number of switches (Bonferroni).
     bool significant = false;
 };
 
 struct Attribution {
-    measure::MeanWithError a, b;
-    measure::MeanWithError difference;        ///< b - a, the sum of the contributions' averages
+    numerics::MeanWithError a, b;
+    numerics::MeanWithError difference;       ///< b - a, the sum of the contributions' averages
     bool significant = false;                 ///< whether it differs from 0 at 95 %
     std::vector<Contribution> contributions;  ///< shape (switches)
     /// Difference minus the sum of `first`: what the switches make together beyond what each makes
     /// alone in A. The averages share it out, a pair's in halves.
-    measure::MeanWithError interaction;
+    numerics::MeanWithError interaction;
 };
 
 /// Most switches that are attributed: their settings double with each.

@@ -1,22 +1,21 @@
 #include "reference/compare/bootstrap.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/bootstrap.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace crossgrain::compare {
 namespace {
 
 constexpr std::size_t fewest_replicas = 4;
-constexpr double most_without_fit = 0.1;
 
 /// Mean of n of the n replicas, drawn with replacement.
 double resampled_mean(const std::vector<double>& y, std::mt19937_64& random) {
-    const double mean = measure::mean_with_error(y).value;
+    const double mean = numerics::mean_with_error(y).value;
     const auto n = static_cast<double>(y.size());
     double deviation = 0;
     // The remainder's bias is below replicas/2^64; std's own distribution differs by library.
@@ -30,22 +29,16 @@ double resampled_mean(const std::vector<double>& y, std::mt19937_64& random) {
 std::optional<double> bootstrap_error(std::span<const ReplicatedPoint> points,
                                       const FittedValue& fit, std::size_t resamples,
                                       std::uint64_t seed) {
-    if (resamples < 100) throw std::invalid_argument("a bootstrap needs 100 resamples or more");
     const auto few = [](const ReplicatedPoint& p) { return p.y.size() < fewest_replicas; };
     if (points.empty() || std::ranges::any_of(points, few)) return std::nullopt;
     std::mt19937_64 random(seed);
     std::vector<SweepPoint> drawn(points.size());
-    std::vector<double> fits;
-    for (std::size_t i = 0; i < resamples; ++i) {
+    return numerics::bootstrap_error(resamples, [&](std::size_t) {
         std::ranges::transform(points, drawn.begin(), [&](const ReplicatedPoint& p) {
             return SweepPoint{.x = p.x, .y = resampled_mean(p.y, random)};
         });
-        if (const auto value = fit(drawn)) fits.push_back(*value);
-    }
-    if (static_cast<double>(fits.size()) < (1 - most_without_fit) * static_cast<double>(resamples))
-        return std::nullopt;
-    const auto spread = measure::mean_with_error(fits);
-    return spread.standard_error * std::sqrt(static_cast<double>(fits.size()));
+        return fit(drawn);
+    });
 }
 
 std::optional<double> systematic_over_windows(std::span<const SweepPoint> points,

@@ -1,6 +1,6 @@
 #include "reference/compare/convergence.hpp"
 
-#include "reference/compare/line_fit.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,20 +30,20 @@ void check(std::span<const Rung> rungs) {
 }
 
 struct Fit {
-    LineFit line;
+    numerics::LineFit line;
     double degrees_of_freedom = 0;  // of its errors
 };
 
 Fit fit(std::span<const double> x, std::span<const double> y, std::span<const double> errors) {
     const auto unknown = std::ranges::count(errors, 0.0);
     if (unknown == std::ssize(errors)) {
-        const LineFit line = fit_line(x, y);
+        const numerics::LineFit line = numerics::fit_line(x, y);
         return {line, line.degrees_of_freedom};
     }
     if (unknown > 0) {
         throw std::invalid_argument("either all rungs of a ladder state an error or none does");
     }
-    LineFit line = fit_line(x, y, errors);
+    numerics::LineFit line = numerics::fit_line(x, y, errors);
     const double scatter = line.chi_squared / line.degrees_of_freedom;
     if (scatter <= 1) return {line, std::numeric_limits<double>::infinity()};
     line.scale_covariance(scatter);

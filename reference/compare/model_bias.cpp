@@ -1,6 +1,6 @@
 #include "reference/compare/model_bias.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 #include "reference/compare/student.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ ModelBias model_bias(std::span<const ModelComparison> comparisons) {
         reference_variance += c.reference_relative_error * c.reference_relative_error / n;
         statistical_variance += c.model_relative_error * c.model_relative_error / n;
     }
-    const auto mean = measure::mean_with_error(y);
+    const auto mean = numerics::mean_with_error(y);
     const double variance = mean.standard_error * mean.standard_error * n;
     const double of_model = std::max(0.0, variance - reference_variance - statistical_variance);
     const double centre = mean.value + (of_model - reference_variance) / 2;

@@ -1,6 +1,6 @@
 #include "reference/compare/replicas.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ Combined combine(std::span<const measure::Measurement> replicas) {
         systematic += one.systematic / static_cast<double>(replicas.size());
         samples += one.n;
     }
-    const measure::MeanWithError mean = measure::mean_with_error(values);
+    const numerics::MeanWithError mean = numerics::mean_with_error(values);
     Combined combined{.measurement = {.observable = replicas.front().observable,
                                       .value = mean.value,
                                       .systematic = systematic,

@@ -1,11 +1,11 @@
 #include "reference/compare/sweep_fit.hpp"
 
-#include "cases/measure/statistics/jackknife.hpp"
-#include "reference/compare/line_fit.hpp"
-
-#include <boost/math/tools/minima.hpp>
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/levenberg_marquardt.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -29,48 +29,47 @@ std::optional<Logarithms> logarithms(std::span<const SweepPoint> points, double 
     return logs;
 }
 
-/// Error of the slope of an unweighted line that the points' own errors make.
-double propagated(const std::vector<double>& x, const std::vector<double>& errors) {
-    double mean = 0, xx = 0, sum = 0;
-    for (const double value : x)
-        mean += value / static_cast<double>(x.size());
-    for (const double value : x)
-        xx += (value - mean) * (value - mean);
-    for (std::size_t i = 0; i < x.size(); ++i)
-        sum += std::pow((x[i] - mean) * errors[i] / xx, 2);
-    return std::sqrt(sum);
-}
-
-/// Slope of ln y against ln(x - k), and the sum of squares it leaves.
-struct LogFit {
-    double slope = 0, squares = 0;
-};
-
-std::optional<LogFit> log_fit(std::span<const SweepPoint> points, double k) {
-    const auto logs = logarithms(points, k);
-    if (!logs) return std::nullopt;
-    const LineFit line = fit_line(logs->x, logs->y);
-    return LogFit{line.slope, line.chi_squared};
+/// ln y = ln C + n ln(x - k): residuals and derivatives at the parameters ln C, n, k.
+numerics::ResidualFunction outlet_residuals(std::span<const SweepPoint> points) {
+    return [points](std::span<const double> p, std::span<double> r, std::span<double> jacobian) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double above = points[i].x - p[2];
+            r[i] = p[0] + p[1] * std::log(above) - std::log(points[i].y);
+            jacobian[3 * i] = 1;
+            jacobian[3 * i + 1] = std::log(above);
+            jacobian[3 * i + 2] = -p[1] / above;
+        }
+    };
 }
 
 /// n at the k of least squares.
 std::optional<double> outlet_exponent(std::span<const SweepPoint> points) {
-    constexpr int grid = 40, bits = 30;
-    const double smallest = std::ranges::min(points, {}, &SweepPoint::x).x;
-    const double step = 0.98 * smallest / grid;
-    const auto squares = [&](double k) {
-        const auto fit = log_fit(points, std::clamp(k, 0.0, 0.98 * smallest));
-        return fit ? fit->squares : std::numeric_limits<double>::infinity();
+    constexpr int grid = 40;
+    constexpr double largest = std::numeric_limits<double>::max();
+    const double highest = 0.98 * std::ranges::min(points, {}, &SweepPoint::x).x;
+    const double step = highest / grid;
+    const auto line_at = [&](double k) -> std::optional<numerics::LineFit> {
+        const auto logs = logarithms(points, k);
+        if (!logs) return std::nullopt;
+        return numerics::fit_line(logs->x, logs->y);
     };
-    double best = 0;
+    auto best = line_at(0);
+    if (!best) return std::nullopt;
+    double best_k = 0;
     for (int i = 1; i <= grid; ++i) {
-        if (squares(i * step) < squares(best)) best = i * step;
+        const auto line = line_at(i * step);
+        if (!line || !(line->chi_squared < best->chi_squared)) continue;
+        best = line;
+        best_k = i * step;
     }
-    const auto minimum = boost::math::tools::brent_find_minima(
-        squares, std::max(0.0, best - step), std::min(0.98 * smallest, best + step), bits);
-    const auto fit = log_fit(points, minimum.first);
-    if (!fit) return std::nullopt;
-    return fit->slope;
+    const auto minimum = numerics::levenberg_marquardt(
+        outlet_residuals(points), points.size(), std::array{best->intercept, best->slope, best_k},
+        std::array<numerics::ParameterBounds, 3>{
+            {{-largest, largest},
+             {-largest, largest},
+             {std::max(0.0, best_k - step), std::min(highest, best_k + step)}}});
+    if (!minimum) return std::nullopt;
+    return minimum->parameters[1];
 }
 
 }  // namespace
@@ -79,11 +78,12 @@ std::optional<SweepEstimate> fit_exponent(std::span<const SweepPoint> points) {
     if (points.size() < 3) return std::nullopt;
     const auto logs = logarithms(points, 0);
     if (!logs) return std::nullopt;
-    const LineFit line = fit_line(logs->x, logs->y);
-    return SweepEstimate{.value = line.slope,
-                         .standard_error =
-                             std::max(line.slope_error(), propagated(logs->x, logs->errors)),
-                         .degrees_of_freedom = line.degrees_of_freedom};
+    const numerics::LineFit line = numerics::fit_line(logs->x, logs->y);
+    return SweepEstimate{
+        .value = line.slope,
+        .standard_error =
+            std::max(line.slope_error(), numerics::propagated_slope_error(logs->x, logs->errors)),
+        .degrees_of_freedom = line.degrees_of_freedom};
 }
 
 std::optional<OutletLaw> fit_outlet_law(std::span<const SweepPoint> points) {
@@ -95,7 +95,7 @@ std::optional<OutletLaw> fit_outlet_law(std::span<const SweepPoint> points) {
         y.push_back(std::pow(p.y, 2.0 / 3));
     }
     if (std::ranges::max(x) == std::ranges::min(x)) return std::nullopt;
-    const LineFit line = fit_line(x, y);
+    const numerics::LineFit line = numerics::fit_line(x, y);
     if (!(line.slope > 0)) return std::nullopt;
     // k = -a/b, var k = (var a + 2 k cov + k^2 var b)/b^2.
     const double k = -line.intercept / line.slope;
@@ -123,7 +123,7 @@ std::optional<SweepEstimate> fit_outlet_exponent(std::span<const SweepPoint> poi
         without.push_back(*own);
     }
     return SweepEstimate{.value = *value,
-                         .standard_error = measure::jackknife_error(without),
+                         .standard_error = numerics::jackknife_error(without),
                          .degrees_of_freedom = static_cast<double>(points.size()) - 3};
 }
 

@@ -14,8 +14,8 @@
 namespace crossgrain::studies {
 namespace {
 
-using measure::MeanWithError;
 using nlohmann::json;
+using numerics::MeanWithError;
 
 const std::string engine = "native-dem";
 const std::array<std::string, 4> keys{"velocity_lever", "torque_lever", "rotation", "limit"};
@@ -139,7 +139,7 @@ double scale_of(const compare::Attribution& attribution) {
     return std::abs(attribution.a.value + attribution.b.value) / 2 / 100;
 }
 
-std::string percent(const MeanWithError& mean, double scale) {
+std::string percent(const numerics::MeanWithError& mean, double scale) {
     return fmt::format("{:+.2f} +- {:.2f}", mean.value / scale, mean.standard_error / scale);
 }
 
@@ -196,7 +196,7 @@ std::string missing_runs(const session::SessionReport& report) {
     return text;
 }
 
-json mean_json(const MeanWithError& mean) {
+json mean_json(const numerics::MeanWithError& mean) {
     return {{"value", mean.value}, {"stderr", mean.standard_error}};
 }
 

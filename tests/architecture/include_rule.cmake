@@ -4,6 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # folder = folders it may include besides itself. The only list; ARCHITECTURE.md explains it.
 set(rule_native/base "")
+set(rule_native/numerics native/base)
 set(rule_native/dem native/base)
 set(rule_native/friction native/base)
 set(rule_native/lga native/base)
@@ -11,10 +12,10 @@ set(rule_native/hopper native/base)
 set(rule_cases/toml native/base)
 set(rule_cases/scene native/base cases/toml)
 set(rule_cases/catalog native/base cases/toml cases/scene)
-set(rule_cases/measure native/base cases/scene)
-set(rule_cases/measure/statistics native/base)
+set(rule_cases/measure native/base native/numerics cases/scene)
+set(rule_cases/measure/statistics native/base native/numerics)
 foreach(model IN ITEMS bed collision gas hopper pipe discharge)
-    set(rule_cases/measure/${model} native/base cases/scene cases/measure cases/measure/statistics)
+    set(rule_cases/measure/${model} native/base native/numerics cases/scene cases/measure cases/measure/statistics)
 endforeach()
 list(APPEND rule_cases/measure/collision cases/measure/bed)  # how plates move
 list(APPEND rule_cases/measure/pipe cases/measure/gas)       # one definition of waves for both
@@ -42,9 +43,9 @@ set(rule_adapters/run/store native/base cases/measure)
 set(rule_adapters/run native/base cases/scene cases/catalog cases/measure cases/observables adapters
                       adapters/dump adapters/process adapters/registry adapters/run/store)
 # What is right, and judging.
-set(rule_reference/analytic native/base)
+set(rule_reference/analytic native/base native/numerics)
 set(rule_reference/published native/base cases/toml)
-set(rule_reference/compare native/base reference/analytic reference/published cases/measure
+set(rule_reference/compare native/base native/numerics reference/analytic reference/published cases/measure
                            cases/measure/statistics)
 set(rule_reference/oracles native/base cases/scene reference/analytic)
 set(rule_reference/judge native/base cases/scene cases/catalog cases/measure adapters/run/store
@@ -55,7 +56,7 @@ set(rule_reports/session native/base cases/scene cases/catalog adapters adapters
                          reference/published)
 set(rule_reports/documents native/base cases/catalog cases/measure adapters/registry
                            adapters/run/store reference/compare reference/judge reports/session)
-set(rule_reports/studies native/base cases/toml cases/scene cases/catalog cases/measure
+set(rule_reports/studies native/base native/numerics cases/toml cases/scene cases/catalog cases/measure
                          cases/measure/bed cases/measure/statistics adapters adapters/process
                          adapters/registry adapters/run adapters/run/store reference/analytic
                          reference/compare reference/judge reference/oracles reports/session
@@ -65,7 +66,7 @@ set(rule_reports/web native/base cases/catalog cases/measure adapters/registry a
                      reports/studies)
 set(rule_reports/terminal native/base adapters/run reports/documents)
 # Libraries beside their data, which the program links.
-set(rule_tests/bench native/base native/dem native/friction native/hopper native/lga cases/scene cases/toml
+set(rule_tests/bench native/base native/numerics native/dem native/friction native/hopper native/lga cases/scene cases/toml
                      adapters adapters/native adapters/lammps adapters/liggghts adapters/yade
                      adapters/process reports/documents)
 set(rule_tests/selftest native/base cases/toml cases/scene cases/catalog adapters adapters/registry

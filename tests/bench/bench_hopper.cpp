@@ -7,6 +7,7 @@
 #include "native/base/errors.hpp"
 #include "native/hopper/fast_engine.hpp"
 #include "native/hopper/plain_engine.hpp"
+#include "native/numerics/median.hpp"
 #include "tests/bench/bench.hpp"
 
 #include <fmt/format.h>
@@ -132,11 +133,10 @@ void take_turns(std::vector<Contender>& contenders, int turns, const BenchOption
     }
     for (auto& contender : contenders) {
         auto& row = contender.row;
-        std::sort(contender.rates.begin(), contender.rates.end());
-        row.rate = contender.rates.back();
+        row.rate = std::ranges::max(contender.rates);
         row.unit = "moves/cpu-s";
         row.details["ns per move"] = fmt::format("{:.2f}", 1e9 / row.rate);
-        row.details["median"] = fmt::format("{:.3g}", contender.rates[contender.rates.size() / 2]);
+        row.details["median"] = fmt::format("{:.3g}", numerics::median(contender.rates));
         if (options.progress) {
             options.progress(fmt::format("{}: {:.1f} M moves/cpu-s", row.name, row.rate / 1e6));
         }

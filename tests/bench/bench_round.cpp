@@ -2,6 +2,7 @@
 
 #include "native/base/cpu_time.hpp"
 #include "native/base/errors.hpp"
+#include "native/numerics/median.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,7 @@ double seconds(const std::vector<Turn>& turns, double adapters::RunCost::*kind, 
         std::vector<double> values;
         for (const Turn& turn : turns)
             values.push_back(turn.*part.*kind);
-        std::sort(values.begin(), values.end());
-        return choice == Choice::fastest ? values.front() : values[values.size() / 2];
+        return choice == Choice::fastest ? std::ranges::min(values) : numerics::median(values);
     };
     return chosen(&Turn::cost) - chosen(&Turn::start);
 }

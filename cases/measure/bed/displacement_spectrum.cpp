@@ -2,8 +2,8 @@
 
 #include "cases/measure/bed/plate_motion.hpp"
 #include "cases/measure/statistics/hermite.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "cases/measure/statistics/power_law.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -216,7 +216,7 @@ void DisplacementSpectrum::add_series(Results& results) const {
         for (std::size_t k = 1; k <= highest; ++k) {
             std::ranges::transform(spectra, at_k.begin(), [k](const auto& s) { return s[k]; });
             // The jackknife of a mean is its ordinary standard error.
-            const MeanWithError power = mean_with_error(at_k);
+            const numerics::MeanWithError power = numerics::mean_with_error(at_k);
             mean.push_back(power.value);
             error.push_back(power.standard_error);
         }

@@ -1,7 +1,7 @@
 #include "cases/measure/bed/flow_depth.hpp"
 
 #include "cases/measure/statistics/blocking.hpp"
-#include "cases/measure/statistics/jackknife.hpp"
+#include "native/numerics/jackknife.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +102,7 @@ void FlowDepth::finish(Results& results) {
         without_batch.push_back(flowing_layers(
             lost_shares(b * periods / batches, (b + 1) * periods / batches), options_.share));
     }
-    const double error = jackknife_error(without_batch);
+    const double error = numerics::jackknife_error(without_batch);
     const double spread = (flowing_layers(shares, options_.share / 2) -
                            flowing_layers(shares, std::min(1.0, 2 * options_.share))) /
                           2;

@@ -1,6 +1,6 @@
 #include "cases/measure/collision/pair_collision.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +128,7 @@ void PairCollision::add_complete(const std::vector<Collision>& complete, Results
     const auto add_both = [&](const std::string& name, double Collision::*quantity,
                               const std::string& unit) {
         add_column(name, quantity);
-        const MeanWithError mean = mean_with_error(series.values.back());
+        const numerics::MeanWithError mean = numerics::mean_with_error(series.values.back());
         results.measurements.push_back({.observable = name,
                                         .value = mean.value,
                                         .standard_error = mean.standard_error,

@@ -1,7 +1,7 @@
 #include "cases/measure/collision/plate_bounce.hpp"
 
 #include "cases/measure/bed/plate_motion.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +103,7 @@ void PlateBounce::finish(Results& results) {
         std::vector<double> samples;
         for (const Bounce& one : complete)
             samples.push_back(one.*quantity);
-        const MeanWithError mean = mean_with_error(samples);
+        const numerics::MeanWithError mean = numerics::mean_with_error(samples);
         results.measurements.push_back({.observable = name,
                                         .value = mean.value,
                                         .standard_error = mean.standard_error,

@@ -1,5 +1,7 @@
 #include "cases/measure/discharge/discharge_geometry.hpp"
 
+#include "native/numerics/line_fit.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,19 +19,11 @@ void require(bool holds, const std::string& what) {
 /// Least squares of |x - axis| = half_width + tangent (y - level) through all wall grains.
 void fit_lines(HopperWalls& walls, const std::vector<double>& away,
                const std::vector<double>& above) {
-    const auto n = static_cast<double>(away.size());
-    double x = 0, y = 0, yy = 0, xy = 0;
-    for (std::size_t i = 0; i < away.size(); ++i) {
-        x += away[i] / n;
-        y += above[i] / n;
-    }
-    for (std::size_t i = 0; i < away.size(); ++i) {
-        yy += (above[i] - y) * (above[i] - y);
-        xy += (above[i] - y) * (away[i] - x);
-    }
-    require(yy > 0, "the frozen grains lie in one row: they make no hopper");
-    walls.tangent = xy / yy;
-    walls.half_width = x - walls.tangent * y;
+    require(std::ranges::max(above) > std::ranges::min(above),
+            "the frozen grains lie in one row: they make no hopper");
+    const numerics::Line line = numerics::line_through(above, away);
+    walls.tangent = line.slope;
+    walls.half_width = line.intercept;
     require(walls.tangent > -1e-9, "the walls of the hopper lean inward");
     for (std::size_t i = 0; i < away.size(); ++i) {
         const double off = away[i] - walls.half_width - walls.tangent * above[i];

@@ -1,6 +1,7 @@
 #include "cases/measure/discharge/discharge_rate.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/line_fit.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -13,25 +14,6 @@
 
 namespace crossgrain::measure {
 namespace {
-
-struct Slope {
-    double value = 0, error = 0;
-};
-
-/// Least squares, the error from the residuals (Bevington & Robinson 2003, Eq. 6.23).
-Slope slope_of(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto n = static_cast<double>(x.size());
-    const double mean_x = mean_with_error(x).value, mean_y = mean_with_error(y).value;
-    double xx = 0, xy = 0, squares = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
-    }
-    const double slope = xy / xx;
-    for (std::size_t i = 0; i < x.size(); ++i)
-        squares += std::pow(y[i] - mean_y - slope * (x[i] - mean_x), 2);
-    return {slope, std::sqrt(squares / (n - 2) / xx)};
-}
 
 constexpr std::size_t parts_of_window = 10;
 
@@ -124,18 +106,20 @@ void DischargeRate::append_rate(std::size_t first, std::size_t last, Results& re
                           {"outlet", walls_.outlet},
                           {"half_angle", std::atan(walls_.tangent) * 180 / std::numbers::pi}}});
     };
-    append("flow_rate", rate, mean_with_error(rates).standard_error, "m/t");
-    const Slope drift = slope_of(times, rates);
-    append("flow_rate_drift", drift.value * duration / rate, drift.error * duration / rate);
-    const MeanWithError early = mean_with_error(std::span(rates).first(parts.size() / 2));
-    const MeanWithError late = mean_with_error(std::span(rates).last(parts.size() / 2));
+    append("flow_rate", rate, numerics::mean_with_error(rates).standard_error, "m/t");
+    const numerics::LineFit drift = numerics::fit_line(times, rates);
+    append("flow_rate_drift", drift.slope * duration / rate, drift.slope_error() * duration / rate);
+    const numerics::MeanWithError early =
+        numerics::mean_with_error(std::span(rates).first(parts.size() / 2));
+    const numerics::MeanWithError late =
+        numerics::mean_with_error(std::span(rates).last(parts.size() / 2));
     const double halves = late.value / early.value - 1;
     const double error = std::hypot(early.standard_error, late.standard_error) / rate;
     if (early.value > 0) append("flow_rate_halves", halves, error);
     const bool changes = parts.back().height < 0.9 * parts.front().height;
     if (changes && log_rates.size() == parts.size()) {
-        const Slope exponent = slope_of(log_heights, log_rates);
-        append("flow_exponent", exponent.value, exponent.error);
+        const numerics::LineFit exponent = numerics::fit_line(log_heights, log_rates);
+        append("flow_exponent", exponent.slope, exponent.slope_error());
     }
     append_state(parts, halves, error, results);
 }

@@ -1,7 +1,7 @@
 #include "cases/measure/discharge/discharge_stagnation.hpp"
 
-#include "cases/measure/statistics/jackknife.hpp"
 #include "native/base/memory_budget.hpp"
+#include "native/numerics/jackknife.hpp"
 
 #include <fmt/format.h>
 
@@ -115,7 +115,7 @@ void DischargeStagnation::finish(Results& results) {
         results.measurements.push_back(
             {.observable = fmt::format("moving_fraction_{:g}", share),
              .value = moving,
-             .standard_error = jackknife_error(without),
+             .standard_error = numerics::jackknife_error(without),
              .n = parts_,
              .settings = {{"eps", share},
                           {"from", options_.from},

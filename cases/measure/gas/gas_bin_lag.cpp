@@ -1,8 +1,8 @@
 #include "cases/measure/gas/gas_bin_lag.hpp"
 
 #include "cases/measure/gas/gas_shift.hpp"
-#include "cases/measure/statistics/jackknife.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -64,7 +64,7 @@ void GasBinLag::finish(Results& results) {
     const auto bins = static_cast<double>(bins_);
     for (double& transport : transport_)
         transport /= bins * static_cast<double>(frames_ - 1);
-    const MeanWithError transport = mean_with_error(transport_);
+    const numerics::MeanWithError transport = numerics::mean_with_error(transport_);
     if (!(std::abs(transport.value) > clear_transport * transport.standard_error)) return;
     transport_sum_ = std::accumulate(transport_.begin(), transport_.end(), 0.0);
     pair_sums_.assign(bins_, 0.0);
@@ -85,7 +85,7 @@ void GasBinLag::finish(Results& results) {
         without.push_back(variance_without(r));
     results.measurements.push_back({.observable = "bin_lag_variance",
                                     .value = variance_without(nobody),
-                                    .standard_error = jackknife_error(without),
+                                    .standard_error = numerics::jackknife_error(without),
                                     .n = replicas_,
                                     .unit = "frames^2"});
 }

@@ -79,8 +79,9 @@ void GasContrast::finish(Results& results) {
 
     const auto late = late_.means(), density = late_density_.means();
     if (!late) return;
-    const double white = white_contrast(mean_with_error(*density).value, sites_per_bin(sampling_));
-    const double initial = mean_with_error(first_).value;
+    const double white =
+        white_contrast(numerics::mean_with_error(*density).value, sites_per_bin(sampling_));
+    const double initial = numerics::mean_with_error(first_).value;
     Measurement level = over_replicas("contrast_late", *late, "1");
     level.settings = {{"white", white}, {"initial", initial}};
     results.measurements.push_back(level);

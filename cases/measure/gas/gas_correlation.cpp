@@ -1,8 +1,8 @@
 #include "cases/measure/gas/gas_correlation.hpp"
 
-#include "cases/measure/statistics/jackknife.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "native/base/memory_budget.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -189,7 +189,7 @@ double GasCorrelation::prominence_error(const Maximum& maximum) const {
         const auto own = curve(r, r);
         values[r] = own[maximum.lag] - own[maximum.ground];
     }
-    return mean_with_error(values).standard_error;
+    return numerics::mean_with_error(values).standard_error;
 }
 
 void GasCorrelation::add_wave(const std::vector<double>& mean, Results& results) const {
@@ -214,7 +214,7 @@ void GasCorrelation::add_wave(const std::vector<double>& mean, Results& results)
     Measurement measured{
         .observable = "correlation_time",
         .value = time,
-        .standard_error = jackknife_error(times),
+        .standard_error = numerics::jackknife_error(times),
         .n = replicas_,
         .unit = "steps",
         .settings = {{"separation", distance},
@@ -223,7 +223,7 @@ void GasCorrelation::add_wave(const std::vector<double>& mean, Results& results)
     results.measurements.push_back(measured);
     measured.observable = "correlation_velocity";
     measured.value = distance / time;
-    measured.standard_error = jackknife_error(velocities);
+    measured.standard_error = numerics::jackknife_error(velocities);
     measured.unit = "sites/step";
     results.measurements.push_back(std::move(measured));
 }

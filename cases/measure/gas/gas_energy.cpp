@@ -17,7 +17,7 @@ std::vector<double> group_means(std::span<const double> samples, std::size_t gro
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t begin = g * samples.size() / groups;
         const std::size_t end = (g + 1) * samples.size() / groups;
-        means.push_back(mean_with_error(samples.subspan(begin, end - begin)).value);
+        means.push_back(numerics::mean_with_error(samples.subspan(begin, end - begin)).value);
     }
     return means;
 }

@@ -1,6 +1,7 @@
 #include "cases/measure/gas/gas_flux.hpp"
 
 #include "native/base/memory_budget.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -61,20 +62,17 @@ std::vector<double> GasFlux::slopes() const {
         }
         if (all == 0) continue;
         const double mean = particles / all;
-        double w = 0, x = 0, y = 0, xx = 0, xy = 0;
+        // A class weighs as much as it has been seen; x and y are its density and its mean flux.
+        std::vector<double> x, y, errors;
         for (std::size_t n = 0; n < densities_; ++n) {
             const double away = static_cast<double>(n) - mean;
             if (seen[n] == 0 || std::abs(away) > options_.window * mean) continue;
             const auto weight = static_cast<double>(seen[n]);
-            const double flux = static_cast<double>(momentum[n]) / 2;  // summed over the bins seen
-            w += weight;
-            x += weight * away;
-            y += flux;
-            xx += weight * away * away;
-            xy += flux * away;
+            x.push_back(away);
+            y.push_back(static_cast<double>(momentum[n]) / 2 / weight);
+            errors.push_back(1 / std::sqrt(weight));
         }
-        const double variance = w > 0 ? xx - x * x / w : 0.0;
-        if (variance > 0) slopes.push_back((xy - x * y / w) / variance);
+        if (x.size() >= 2) slopes.push_back(numerics::fit_line(x, y, errors).slope);
     }
     return slopes;
 }

@@ -145,7 +145,7 @@ void GasOverlap::finish(Results& results) {
         std::vector<double> at_lag;
         for (const auto& one : shown)
             at_lag.push_back(one[k]);
-        const MeanWithError mean = mean_with_error(at_lag);
+        const numerics::MeanWithError mean = numerics::mean_with_error(at_lag);
         series.values[0].push_back(static_cast<double>(lags_[k] * sampling_.every));
         series.values[1].push_back(mean.value);
         series.values[2].push_back(mean.standard_error);

@@ -1,10 +1,10 @@
 #include "cases/measure/gas/gas_spectrum.hpp"
 
 #include "cases/measure/gas/gas_window.hpp"
-#include "cases/measure/statistics/jackknife.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "cases/measure/statistics/parzen_window.hpp"
 #include "native/base/memory_budget.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -124,7 +124,7 @@ double GasSpectrum::velocity_error(const std::vector<double>& mean) const {
         const auto peak = find_peak(without, peak_search());
         if (peak) velocities.push_back(velocity(peak->k));
     }
-    return velocities.size() < 2 ? 0 : jackknife_error(velocities);
+    return velocities.size() < 2 ? 0 : numerics::jackknife_error(velocities);
 }
 
 std::optional<SpectrumPeak> GasSpectrum::add_wave(const std::vector<double>& mean,
@@ -169,7 +169,7 @@ double GasSpectrum::alpha_error(const std::vector<double>& mean, FrequencyWindow
         const auto slope = log_binned_slope(without, points_, window);
         if (slope) slopes.push_back(*slope);
     }
-    return slopes.size() < 2 ? 0 : jackknife_error(slopes);
+    return slopes.size() < 2 ? 0 : numerics::jackknife_error(slopes);
 }
 
 void GasSpectrum::add_alpha(const std::vector<double>& mean, double f_max, Results& results) const {
@@ -214,7 +214,7 @@ void GasSpectrum::add_series(const std::vector<double>& mean, Results& results) 
                 sum += power_[r * mean.size() + j];
             by_replica[r] = normalisation_ * sum / static_cast<double>(count);
         }
-        const MeanWithError power = mean_with_error(by_replica);
+        const numerics::MeanWithError power = numerics::mean_with_error(by_replica);
         const double middle = static_cast<double>(k) + static_cast<double>(count - 1) / 2;
         series.values[0].push_back(middle / static_cast<double>(points_));
         series.values[1].push_back(power.value);

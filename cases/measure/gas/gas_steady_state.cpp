@@ -1,7 +1,7 @@
 #include "cases/measure/gas/gas_steady_state.hpp"
 
 #include "cases/measure/gas/gas_window.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +101,7 @@ GasSteadyState::Drift GasSteadyState::drift(Quantity quantity, std::size_t from,
         mean += (early + late) / 2 / static_cast<double>(replicas_);
     }
     if (mean == 0) return {};
-    const MeanWithError d = mean_with_error(differences);
+    const numerics::MeanWithError d = numerics::mean_with_error(differences);
     Drift result{.value = d.value / mean, .error = d.standard_error / mean};
     result.beyond = std::abs(result.value) > options_.tolerance &&
                     std::abs(d.value) > options_.sigmas * d.standard_error;

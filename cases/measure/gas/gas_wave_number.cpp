@@ -1,7 +1,8 @@
 #include "cases/measure/gas/gas_wave_number.hpp"
 
 #include "cases/measure/gas/wave_numbers.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
+#include "native/numerics/median.hpp"
 
 #include <fmt/format.h>
 
@@ -69,7 +70,7 @@ void GasWaveNumber::add(const scene::GasFrame& frame) {
 }
 
 void GasWaveNumber::finish(Results& results) {
-    const double particles = mean_with_error(particles_).value;
+    const double particles = numerics::mean_with_error(particles_).value;
     if (frame_ < sampling_.frames() || particles == 0) return;
     // <|n_k|^2> / (K nbar) = (sum over fields)/(particles of all fields).
     for (auto& spectrum : spectra_) {
@@ -80,10 +81,8 @@ void GasWaveNumber::finish(Results& results) {
     append_wave_number_exponent(spectra_, static_cast<int>(options_.k_min),
                                 static_cast<int>(options_.k_max), results);
     const auto& s = series.values[1];
-    std::vector<double> sorted = s;
-    std::ranges::sort(sorted);
     const auto top = static_cast<std::size_t>(std::ranges::max_element(s) - s.begin());
-    if (s[top] - 5 * series.values[2][top] > 1.3 * sorted[sorted.size() / 2]) {
+    if (s[top] - 5 * series.values[2][top] > 1.3 * numerics::median(s)) {
         results.measurements.push_back({.observable = "wave_number",
                                         .value = series.values[0][top],
                                         .systematic = 0.5,

@@ -28,7 +28,7 @@ GasCurve::GasCurve(std::int64_t frames, std::int64_t rows)
 
 void GasCurve::add(std::int64_t frame, std::int64_t step, std::span<const double> samples) {
     if (frame % stride_ != 0) return;
-    const MeanWithError mean = mean_with_error(samples);
+    const numerics::MeanWithError mean = numerics::mean_with_error(samples);
     times_.push_back(static_cast<double>(step));
     values_.push_back(mean.value);
     errors_.push_back(mean.standard_error);
@@ -53,7 +53,7 @@ Measurement fraction(const std::string& observable, std::size_t holding, std::si
 
 Measurement over_replicas(const std::string& observable, std::span<const double> samples,
                           const std::string& unit) {
-    const MeanWithError mean = mean_with_error(samples);
+    const numerics::MeanWithError mean = numerics::mean_with_error(samples);
     return {.observable = observable,
             .value = mean.value,
             .standard_error = mean.standard_error,

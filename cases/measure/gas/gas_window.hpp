@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cases/measure/results.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "cases/measure/gas/wave_numbers.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "cases/measure/statistics/power_law.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ Series wave_number_series(std::span<const std::vector<double>> samples) {
     for (std::size_t k = 1; k < samples.front().size(); ++k) {
         for (std::size_t i = 0; i < samples.size(); ++i)
             own[i] = samples[i][k];
-        const MeanWithError s = mean_with_error(own);
+        const numerics::MeanWithError s = numerics::mean_with_error(own);
         series.values[0].push_back(static_cast<double>(k));
         series.values[1].push_back(s.value);
         series.values[2].push_back(s.standard_error);

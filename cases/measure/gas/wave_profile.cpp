@@ -1,7 +1,7 @@
 #include "cases/measure/gas/wave_profile.hpp"
 
 #include "cases/measure/gas/gas_window.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +53,12 @@ Series profile_series(const AlignedProfiles& profiles, const ProfileScale& scale
             here.push_back(1 + profiles.waves[p][x]);
             null.push_back(1 + profiles.nulls[p][x]);
         }
-        const MeanWithError density = mean_with_error(here);
+        const numerics::MeanWithError density = numerics::mean_with_error(here);
         const double position = static_cast<double>(x) - static_cast<double>(crest);
         series.values[0].push_back(position * scale.bin);
         series.values[1].push_back(density.value * scale.density);
         series.values[2].push_back(density.standard_error * scale.density);
-        series.values[3].push_back(mean_with_error(null).value * scale.density);
+        series.values[3].push_back(numerics::mean_with_error(null).value * scale.density);
     }
     return series;
 }

@@ -1,7 +1,7 @@
 #include "cases/measure/hopper/hopper_damage.hpp"
 
 #include "cases/measure/hopper/hopper_replicas.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -58,7 +58,7 @@ void HopperDamage::finish(Results& results) {
                   .values = std::vector<std::vector<double>>(4),
                   .units = {"iterations", "1", "1", "1"}};
     for (const auto& [iteration, damage] : damage_) {
-        const MeanWithError mean = mean_with_error(damage);
+        const numerics::MeanWithError mean = numerics::mean_with_error(damage);
         series.values[0].push_back(static_cast<double>(iteration));
         series.values[1].push_back(mean.value);
         series.values[2].push_back(mean.standard_error);

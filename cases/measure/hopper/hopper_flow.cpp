@@ -1,7 +1,8 @@
 #include "cases/measure/hopper/hopper_flow.hpp"
 
 #include "cases/measure/hopper/hopper_replicas.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/line_fit.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -42,22 +43,14 @@ std::optional<double> exponent_in_filling(std::span<const double> flow,
     constexpr std::size_t stretches = 10;
     const std::size_t length = flow.size() / stretches;
     if (length == 0 || filling[flow.size() - 1] > 0.8) return std::nullopt;
-    double mean_x = 0, mean_y = 0;
     std::vector<double> x, y;
     for (std::size_t s = 0; s < stretches; ++s) {
         const double rate = mean_of(flow.subspan(s * length, length));
         if (rate <= 0) return std::nullopt;
         x.push_back(std::log(mean_of(filling.subspan(s * length, length))));
         y.push_back(std::log(rate));
-        mean_x += x.back() / stretches;
-        mean_y += y.back() / stretches;
     }
-    double xx = 0, xy = 0;
-    for (std::size_t s = 0; s < stretches; ++s) {
-        xx += (x[s] - mean_x) * (x[s] - mean_x);
-        xy += (x[s] - mean_x) * (y[s] - mean_y);
-    }
-    return xy / xx;
+    return numerics::line_through(x, y).slope;
 }
 
 bool has_ended(std::span<const double> flow) {
@@ -99,7 +92,7 @@ void HopperFlow::append_series(Results& results) const {
             rates.push_back(mean_of(std::span(flow_[r]).subspan(i, length)));
             left.push_back(filling[r][i]);
         }
-        const MeanWithError rate = mean_with_error(rates);
+        const numerics::MeanWithError rate = numerics::mean_with_error(rates);
         series.values[0].push_back(static_cast<double>(i + 1));
         series.values[1].push_back(rate.value);
         series.values[2].push_back(rate.standard_error);

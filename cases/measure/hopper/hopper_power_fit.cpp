@@ -1,8 +1,10 @@
 #include "cases/measure/hopper/hopper_power_fit.hpp"
 
-#include <boost/math/tools/minima.hpp>
+#include "native/numerics/levenberg_marquardt.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -37,6 +39,17 @@ class Projection {
         const auto [zy, zz] = sums(a);
         return yy_ - zy * zy / zz;
     }
+    /// b z^a - y at the parameters a, b.
+    [[nodiscard]] numerics::ResidualFunction residuals() const {
+        return [this](std::span<const double> p, std::span<double> r, std::span<double> jacobian) {
+            for (std::size_t i = 0; i < y_.size(); ++i) {
+                const double z = std::exp(p[0] * log_z_[i]);
+                r[i] = p[1] * z - y_[i];
+                jacobian[2 * i] = p[1] * log_z_[i] * z;
+                jacobian[2 * i + 1] = z;
+            }
+        };
+    }
 
   private:
     struct Sums {
@@ -61,25 +74,17 @@ class Projection {
 
 std::optional<PowerFit> fit_logarithms(std::span<const double> x, std::span<const double> y) {
     if (!can_be_fitted(x, y)) return std::nullopt;
-    const double n = static_cast<double>(x.size());
-    double mean_x = 0, mean_y = 0;
+    std::vector<double> log_x, log_y;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        mean_x += std::log(x[i]) / n;
-        mean_y += std::log(y[i]) / n;
+        log_x.push_back(std::log(x[i]));
+        log_y.push_back(std::log(y[i]));
     }
-    double xx = 0, xy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double dx = std::log(x[i]) - mean_x;
-        xx += dx * dx;
-        xy += dx * (std::log(y[i]) - mean_y);
-    }
-    const double a = xy / xx;
-    return PowerFit{.exponent = a, .amplitude = std::exp(mean_y - a * mean_x)};
+    const numerics::Line line = numerics::line_through(log_x, log_y);
+    return PowerFit{.exponent = line.slope, .amplitude = std::exp(line.intercept)};
 }
 
 std::optional<PowerFit> fit_unweighted(std::span<const double> x, std::span<const double> y) {
-    const auto start = fit_logarithms(x, y);
-    if (!start) return std::nullopt;
+    if (!can_be_fitted(x, y)) return std::nullopt;
     constexpr double limit = 20, grid = 0.5;
     const Projection projection(x, y);
     // The coarse grid guards against a second, shallower minimum.
@@ -91,12 +96,15 @@ std::optional<PowerFit> fit_unweighted(std::span<const double> x, std::span<cons
             best = a;
         }
     }
-    constexpr int bits = 40;
-    const auto minimum = boost::math::tools::brent_find_minima(
-        [&](double a) { return projection.squares(a); }, best - grid, best + grid, bits);
-    const double a = minimum.first;
-    const double b = projection.amplitude(a) * std::pow(std::ranges::max(x), -a);
-    return PowerFit{.exponent = a, .amplitude = b};
+    constexpr double largest = std::numeric_limits<double>::max();
+    const auto minimum = numerics::levenberg_marquardt(
+        projection.residuals(), x.size(), std::array{best, projection.amplitude(best)},
+        std::array<numerics::ParameterBounds, 2>{
+            {{best - grid, best + grid}, {-largest, largest}}});
+    if (!minimum) return std::nullopt;
+    const double a = minimum->parameters[0];
+    return PowerFit{.exponent = a,
+                    .amplitude = minimum->parameters[1] * std::pow(std::ranges::max(x), -a)};
 }
 
 }  // namespace crossgrain::measure

@@ -1,6 +1,6 @@
 #include "cases/measure/hopper/hopper_replicas.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ void append_replica_mean(Results& results, const std::string& observable,
                          std::span<const double> samples, const std::string& unit,
                          const std::map<std::string, double>& settings) {
     if (samples.size() < 2) return;
-    const MeanWithError mean = mean_with_error(samples);
+    const numerics::MeanWithError mean = numerics::mean_with_error(samples);
     results.measurements.push_back({.observable = observable,
                                     .value = mean.value,
                                     .standard_error = mean.standard_error,

@@ -3,7 +3,7 @@
 #include "cases/measure/hopper/hopper_lattice.hpp"
 #include "cases/measure/hopper/hopper_power_fit.hpp"
 #include "cases/measure/hopper/hopper_replicas.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -188,7 +188,7 @@ void HopperStagnation::append_series(Results& results) const {
                 sum.left += one.left / static_cast<double>(replicas);
                 sum.right += one.right / static_cast<double>(replicas);
             }
-            const MeanWithError mean = mean_with_error(p);
+            const numerics::MeanWithError mean = numerics::mean_with_error(p);
             const std::array row{scene_.angles[a], static_cast<double>(iteration),
                                  sum.left,         sum.right,
                                  mean.value,       mean.standard_error};

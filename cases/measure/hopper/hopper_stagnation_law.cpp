@@ -1,8 +1,9 @@
 #include "cases/measure/hopper/hopper_stagnation_law.hpp"
 
-#include "cases/measure/statistics/jackknife.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "native/base/random.hpp"
+#include "native/numerics/bootstrap.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -24,12 +25,11 @@ bool of_logarithms(StagnationFit fit) {
 }
 
 /// Standard deviation of the statistic over sweeps whose angles are drawn with replacement.
-std::optional<double> bootstrap_error(const AngleSweep& sweep, std::uint64_t seed,
-                                      const SweepStatistic& statistic) {
+std::optional<double> error_over_angles(const AngleSweep& sweep, std::uint64_t seed,
+                                        const SweepStatistic& statistic) {
     constexpr std::size_t resamples = 100;
     const std::size_t angles = sweep.angles.size();
-    std::vector<double> values;
-    for (std::size_t b = 0; b < resamples; ++b) {
+    return numerics::bootstrap_error(resamples, [&](std::size_t b) {
         AngleSweep drawn;
         for (std::size_t i = 0; i < angles; ++i) {
             const double u = uniform(seed, RandomStream::jitter, b * angles + i);
@@ -37,12 +37,8 @@ std::optional<double> bootstrap_error(const AngleSweep& sweep, std::uint64_t see
             drawn.angles.push_back(sweep.angles[pick]);
             drawn.p.push_back(sweep.p[pick]);
         }
-        if (const auto value = statistic(drawn)) values.push_back(*value);
-    }
-    // A statistic that most resamples do not have is not known.
-    if (values.size() < resamples * 9 / 10) return std::nullopt;
-    const MeanWithError mean = mean_with_error(values);
-    return mean.standard_error * std::sqrt(static_cast<double>(values.size()));
+        return statistic(drawn);
+    });
 }
 
 }  // namespace
@@ -132,11 +128,11 @@ std::optional<SweepEstimate> over_replicas(std::span<const AngleSweep> replicas,
         if (!value) return std::nullopt;
         values.push_back(*value);
         if (from_scatter) continue;
-        const auto error = bootstrap_error(replicas[r], seed + r, statistic);
+        const auto error = error_over_angles(replicas[r], seed + r, statistic);
         if (!error) return std::nullopt;
         variance += *error * *error;
     }
-    const MeanWithError mean = mean_with_error(values);
+    const numerics::MeanWithError mean = numerics::mean_with_error(values);
     if (from_scatter) return SweepEstimate{mean.value, mean.standard_error, mean.n};
     return SweepEstimate{mean.value, std::sqrt(variance) / static_cast<double>(replicas.size()),
                          replicas.front().angles.size()};
@@ -148,7 +144,7 @@ std::optional<SweepEstimate> of_replica_mean(std::span<const AngleSweep> replica
     const auto value = statistic(mean);
     if (!value) return std::nullopt;
     if (replicas.size() == 1) {
-        const auto error = bootstrap_error(mean, seed, statistic);
+        const auto error = error_over_angles(mean, seed, statistic);
         if (!error) return std::nullopt;
         return SweepEstimate{*value, *error, mean.angles.size()};
     }
@@ -160,7 +156,7 @@ std::optional<SweepEstimate> of_replica_mean(std::span<const AngleSweep> replica
         if (!one) return std::nullopt;
         without_one.push_back(*one);
     }
-    return SweepEstimate{*value, jackknife_error(without_one), replicas.size()};
+    return SweepEstimate{*value, numerics::jackknife_error(without_one), replicas.size()};
 }
 
 }  // namespace crossgrain::measure

@@ -2,7 +2,8 @@
 
 #include "cases/measure/hopper/hopper_lattice.hpp"
 #include "cases/measure/hopper/hopper_replicas.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/line_fit.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,19 +58,10 @@ std::optional<Crater> crater_of(std::span<const double> h, double top) {
 /// |dh/dx| by least squares over columns first..last; nothing for fewer than `steep_span`.
 std::optional<double> slope(std::span<const double> h, std::size_t first, std::size_t last) {
     if (last < first + steep_span - 1) return std::nullopt;
-    const double n = static_cast<double>(last - first + 1);
-    double mean_x = 0, mean_h = 0;
-    for (std::size_t c = first; c <= last; ++c) {
-        mean_x += static_cast<double>(c) * column_spacing / n;
-        mean_h += h[c] / n;
-    }
-    double xx = 0, xh = 0;
-    for (std::size_t c = first; c <= last; ++c) {
-        const double dx = static_cast<double>(c) * column_spacing - mean_x;
-        xx += dx * dx;
-        xh += dx * (h[c] - mean_h);
-    }
-    return std::abs(xh / xx);
+    std::vector<double> x;
+    for (std::size_t c = first; c <= last; ++c)
+        x.push_back(static_cast<double>(c) * column_spacing);
+    return std::abs(numerics::line_through(x, h.subspan(first, last - first + 1)).slope);
 }
 
 double degrees(double tangent) {
@@ -120,7 +112,7 @@ void HopperSurface::append_series(Results& results) const {
         std::vector<double> h;
         for (const auto& one : profiles_)
             h.push_back(std::max(one[c], 0.0));
-        const MeanWithError mean = mean_with_error(h);
+        const numerics::MeanWithError mean = numerics::mean_with_error(h);
         series.values[0].push_back((first_column_ + static_cast<double>(c)) * column_spacing);
         series.values[1].push_back(mean.value);
         series.values[2].push_back(mean.standard_error);
@@ -129,7 +121,7 @@ void HopperSurface::append_series(Results& results) const {
 }
 
 void HopperSurface::append_scatter(Results& results, std::span<const double> depths) const {
-    const double depth = mean_with_error(depths).value;
+    const double depth = numerics::mean_with_error(depths).value;
     // Half of the replicas against the other half would waste data: pairs of successive replicas
     // are independent samples of a squared difference, twice the variance.
     std::vector<double> scatter;

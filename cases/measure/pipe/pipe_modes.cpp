@@ -2,6 +2,7 @@
 
 #include "cases/measure/statistics/pair_transform.hpp"
 #include "cases/measure/statistics/parzen_window.hpp"
+#include "native/numerics/median.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,12 +31,6 @@ std::vector<double> signed_power(std::span<const std::complex<double>> mode) {
             static_cast<double>(std::norm(std::conj(real) + i * std::conj(imaginary)));
     }
     return power;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 /// What a class of densities has seen, by block.
@@ -110,7 +105,7 @@ std::optional<TurningFrequency> turning_frequency(std::span<const std::complex<d
         highest = smooth;
         top = j;
     }
-    const double background = median(power);
+    const double background = numerics::median(power);
     if (!(highest > least_ratio * background)) return std::nullopt;
     const std::size_t away = top > half ? top - half : half - top;
     const std::size_t reach = std::max<std::size_t>(4, away / 4);

@@ -1,13 +1,15 @@
 #include "cases/measure/pipe/pipe_motion.hpp"
 
 #include "cases/measure/statistics/blocking.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/line_fit.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -21,19 +23,11 @@ double error_of_trend(std::span<const double> series) {
     std::vector<double> means;
     for (const FrameBlock& block : equal_blocks(series.size(), pipe_blocks))
         means.push_back(
-            mean_with_error(series.subspan(block.first, block.last - block.first)).value);
-    const double n = pipe_blocks, middle = (n - 1) / 2;
-    const double mean = mean_with_error(means).value;
-    double xx = 0, xy = 0, squares = 0;
-    for (std::size_t b = 0; b < pipe_blocks; ++b) {
-        const double x = static_cast<double>(b) - middle;
-        xx += x * x;
-        xy += x * (means[b] - mean);
-    }
-    for (std::size_t b = 0; b < pipe_blocks; ++b)
-        squares += std::pow(means[b] - mean - xy / xx * (static_cast<double>(b) - middle), 2);
+            numerics::mean_with_error(series.subspan(block.first, block.last - block.first)).value);
+    std::vector<double> blocks(means.size());
+    std::iota(blocks.begin(), blocks.end(), 0.0);
     constexpr double blocks_apart = 6;  // middles of the first and the last quarter
-    return blocks_apart * std::sqrt(squares / (n - 2) / xx);
+    return blocks_apart * numerics::fit_line(blocks, means).slope_error();
 }
 
 }  // namespace
@@ -95,7 +89,8 @@ void PipeMotion::add(const scene::Frame& frame) {
 PipeMotion::Drift PipeMotion::drift(std::span<const double> series) const {
     const std::size_t quarter = series.size() / 4;
     const auto early = series.first(quarter), late = series.last(quarter);
-    const double from = mean_with_error(early).value, to = mean_with_error(late).value;
+    const double from = numerics::mean_with_error(early).value,
+                 to = numerics::mean_with_error(late).value;
     const double mean = (from + to) / 2;
     if (mean == 0) return {};
     const auto error_of = [](std::span<const double> part) {

@@ -1,9 +1,10 @@
 #include "cases/measure/pipe/pipe_spectrum.hpp"
 
-#include "cases/measure/statistics/jackknife.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
 #include "cases/measure/statistics/pair_transform.hpp"
 #include "cases/measure/statistics/parzen_window.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/mean_with_error.hpp"
+#include "native/numerics/median.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,8 +79,7 @@ std::optional<double> PipeSpectrum::peak(const std::vector<double>& power, doubl
     std::vector<double> around;
     for (std::size_t k = std::max<std::size_t>(1, top / 2); k <= std::min(2 * top, last); ++k)
         around.push_back(power[k]);
-    std::ranges::sort(around);
-    if (around.empty() || smooth(top) < least_ratio * around[around.size() / 2]) {
+    if (around.empty() || smooth(top) < least_ratio * numerics::median(around)) {
         return std::nullopt;
     }
     return static_cast<double>(top) / points;
@@ -116,7 +116,7 @@ void PipeSpectrum::append_alpha(const std::vector<double>& power, Results& resul
     if (without.size() < power_.size()) return;
     results.measurements.push_back({.observable = "alpha",
                                     .value = -*slope,
-                                    .standard_error = jackknife_error(without),
+                                    .standard_error = numerics::jackknife_error(without),
                                     .systematic = (most - least) / 2,
                                     .n = power_.size(),
                                     .settings = {{"f_min", window.low / per_frame},
@@ -138,9 +138,9 @@ void PipeSpectrum::append_series(const std::vector<double>& power, Results& resu
         const std::size_t count = std::min(k <= single ? 1 : together, power.size() - k);
         for (std::size_t s = 0; s < power_.size(); ++s) {
             const auto part = std::span(power_[s]).subspan(k, count);
-            own[s] = mean_with_error(part).value * interval;
+            own[s] = numerics::mean_with_error(part).value * interval;
         }
-        const MeanWithError p = mean_with_error(own);
+        const numerics::MeanWithError p = numerics::mean_with_error(own);
         const double middle = static_cast<double>(k) + static_cast<double>(count - 1) / 2;
         series.values[0].push_back(middle / static_cast<double>(points_) / interval);
         series.values[1].push_back(p.value);

@@ -3,7 +3,7 @@
 #include "cases/measure/gas/wave_numbers.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 #include "cases/measure/statistics/blocking.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ std::vector<std::vector<double>> PipeStructure::block_means() const {
         std::vector<double> spectrum(power_.size(), 0.0);
         for (std::size_t k = 1; k < power_.size(); ++k) {
             const auto own = std::span(power_[k]).subspan(block.first, block.last - block.first);
-            spectrum[k] = mean_with_error(own).value;
+            spectrum[k] = numerics::mean_with_error(own).value;
         }
         means.push_back(std::move(spectrum));
     }

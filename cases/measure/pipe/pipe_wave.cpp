@@ -1,8 +1,8 @@
 #include "cases/measure/pipe/pipe_wave.hpp"
 
 #include "cases/measure/gas/gas_window.hpp"
-#include "cases/measure/statistics/jackknife.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ Measurement jackknifed(const char* observable, double whole,
         rest.push_back(without(b));
     return {.observable = observable,
             .value = whole,
-            .standard_error = jackknife_error(rest),
+            .standard_error = numerics::jackknife_error(rest),
             .n = pipe_blocks,
             .unit = unit};
 }
@@ -52,7 +52,8 @@ bool has_pattern(const std::vector<FluxRegression>& blocks) {
     std::vector<double> without;
     for (std::size_t b = 0; b < blocks.size(); ++b)
         without.push_back(log_structure(b));
-    return log_structure(nobody) > std::max(std::log(least), sigmas * jackknife_error(without));
+    return log_structure(nobody) >
+           std::max(std::log(least), sigmas * numerics::jackknife_error(without));
 }
 
 /// Whether a pattern goes with the grains, by the 95 % interval of V_w/V: an interval too wide to
@@ -181,7 +182,7 @@ void PipeWave::append_turning(Results& results) const {
     results.measurements.push_back(
         {.observable = "wave_velocity",
          .value = velocity(peak->frequency),
-         .standard_error = parts.size() < 2 ? 0 : mean_with_error(parts).standard_error,
+         .standard_error = parts.size() < 2 ? 0 : numerics::mean_with_error(parts).standard_error,
          .systematic = std::abs(velocity(step / 2)),
          .n = std::max<std::size_t>(1, parts.size()),
          .unit = "l/t",

@@ -1,6 +1,6 @@
 #include "cases/measure/statistics/autocorrelation.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ double window_criterion(double decay, double window, double n) {
 std::optional<AutocorrelatedMean> autocorrelated_mean(std::span<const double> series) {
     if (series.size() < fewest_samples) return std::nullopt;
     const auto n = static_cast<double>(series.size());
-    const double mean = mean_with_error(series).value;
+    const double mean = numerics::mean_with_error(series).value;
     std::vector<double> deviations(series.begin(), series.end());
     for (double& d : deviations)
         d -= mean;

@@ -1,6 +1,6 @@
 #include "cases/measure/statistics/blocking.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <vector>
 
@@ -10,12 +10,12 @@ namespace {
 constexpr std::size_t fewest_blocks = 16, batches = 6, fewest_values = 2 * batches;
 
 // Error of the blocks of the first length that satisfies the criterion.
-std::optional<MeanWithError> converged_blocks(std::span<const double> series,
-                                              const MeanWithError& naive) {
+std::optional<numerics::MeanWithError> converged_blocks(std::span<const double> series,
+                                                        const numerics::MeanWithError& naive) {
     const auto n = static_cast<double>(series.size());
     std::vector<double> blocks(series.begin(), series.end());
     for (double length = 1; blocks.size() >= fewest_blocks; length *= 2) {
-        const MeanWithError blocked = mean_with_error(blocks);
+        const numerics::MeanWithError blocked = numerics::mean_with_error(blocks);
         const double inflation = blocked.standard_error / naive.standard_error;
         const double fourth_power = inflation * inflation * inflation * inflation;
         if (length * length * length > 2 * n * fourth_power) return blocked;
@@ -34,14 +34,14 @@ std::vector<double> means_of_parts(std::span<const double> series, std::size_t p
     const auto used = series.last(length * parts);
     std::vector<double> means;
     for (std::size_t b = 0; b < parts; ++b) {
-        means.push_back(mean_with_error(used.subspan(b * length, length)).value);
+        means.push_back(numerics::mean_with_error(used.subspan(b * length, length)).value);
     }
     return means;
 }
 
-std::optional<MeanWithError> batch_means(std::span<const double> series) {
+std::optional<numerics::MeanWithError> batch_means(std::span<const double> series) {
     const std::vector<double> means = means_of_parts(series, batches);
-    const MeanWithError error = mean_with_error(means);
+    const numerics::MeanWithError error = numerics::mean_with_error(means);
     double squares = 0, successive = 0;
     for (std::size_t b = 0; b < batches; ++b) {
         squares += (means[b] - error.value) * (means[b] - error.value);
@@ -56,11 +56,11 @@ std::optional<MeanWithError> batch_means(std::span<const double> series) {
 
 std::optional<BlockedMean> blocked_mean(std::span<const double> series) {
     if (series.size() < fewest_values) return std::nullopt;
-    const MeanWithError naive = mean_with_error(series);
+    const numerics::MeanWithError naive = numerics::mean_with_error(series);
     if (naive.standard_error == 0) return BlockedMean{naive.value, 0.0, naive.n};
     auto error = converged_blocks(series, naive);
     if (!error) error = batch_means(series);
-    if (!error) error = mean_with_error(means_of_parts(series, 2));
+    if (!error) error = numerics::mean_with_error(means_of_parts(series, 2));
     return BlockedMean{naive.value, error->standard_error, error->n};
 }
 

@@ -1,5 +1,7 @@
 #include "cases/measure/statistics/log_binned_slope.hpp"
 
+#include "native/numerics/line_fit.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -8,23 +10,9 @@ namespace crossgrain::measure {
 namespace {
 
 struct Bin {
-    double x = 0, y = 0;  ///< sums, then means, of log f and log P
+    double x = 0, y = 0;  ///< sums of log f and log P
     double n = 0;
 };
-
-double slope_of(const std::vector<Bin>& bins) {
-    double x = 0, y = 0, xx = 0, xy = 0;
-    const auto n = static_cast<double>(bins.size());
-    for (const Bin& bin : bins) {
-        x += bin.x / n;
-        y += bin.y / n;
-    }
-    for (const Bin& bin : bins) {
-        xx += (bin.x - x) * (bin.x - x);
-        xy += (bin.x - x) * (bin.y - y);
-    }
-    return xy / xx;
-}
 
 }  // namespace
 
@@ -37,7 +25,7 @@ std::optional<double> log_binned_slope(std::span<const double> power, std::size_
     std::vector<Bin> bins;
     std::ptrdiff_t present = -1;
     for (std::size_t k = std::max<std::size_t>(first, 1); k <= last && k < power.size(); ++k) {
-        if (!(power[k] > 0)) return std::nullopt;
+        if (!(power[k] > 0) || !std::isfinite(power[k])) return std::nullopt;
         const double f = static_cast<double>(k) / n;
         const auto index = static_cast<std::ptrdiff_t>(
             std::floor(bins_per_decade * std::log10(std::max(f / window.low, 1.0))));
@@ -48,11 +36,12 @@ std::optional<double> log_binned_slope(std::span<const double> power, std::size_
         bins.back().n += 1;
     }
     if (bins.size() < 3) return std::nullopt;
-    for (Bin& bin : bins) {
-        bin.x /= bin.n;
-        bin.y /= bin.n;
+    std::vector<double> x, y;
+    for (const Bin& bin : bins) {
+        x.push_back(bin.x / bin.n);
+        y.push_back(bin.y / bin.n);
     }
-    return slope_of(bins);
+    return numerics::line_through(x, y).slope;
 }
 
 }  // namespace crossgrain::measure

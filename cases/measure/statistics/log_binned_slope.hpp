@@ -19,8 +19,8 @@ inline constexpr double bins_per_decade = 12;
 
 /// Slope (-alpha) over the window; power[k] is P at f = k/points. A bin holds the means of log f
 /// and log P, for which a pure power law gives its exponent exactly, whatever the bins hold.
-/// Nothing if fewer than three bins hold a frequency, or if P is not positive somewhere in the
-/// window.
+/// Nothing if fewer than three bins hold a frequency, or if P is not positive and finite somewhere
+/// in the window.
 [[nodiscard]] std::optional<double> log_binned_slope(std::span<const double> power,
                                                      std::size_t points, FrequencyWindow window);
 

@@ -1,6 +1,7 @@
 #include "cases/measure/statistics/power_law.hpp"
 
-#include "cases/measure/statistics/jackknife.hpp"
+#include "native/numerics/jackknife.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,22 +41,15 @@ std::optional<PowerLaw> fit_power_law(std::span<const double> spectrum, int k_mi
     if (k_min < 1 || k_max <= k_min || static_cast<std::size_t>(k_max) >= spectrum.size()) {
         return std::nullopt;
     }
-    double mean_x = 0, mean_y = 0;
-    const double n = k_max - k_min + 1;
+    std::vector<double> x, y;
     for (int k = k_min; k <= k_max; ++k) {
         const double s = spectrum[static_cast<std::size_t>(k)];
         if (!(s > 0) || !std::isfinite(s)) return std::nullopt;
-        mean_x += std::log(k) / n;
-        mean_y += std::log(s) / n;
+        x.push_back(std::log(k));
+        y.push_back(std::log(s));
     }
-    double xx = 0, xy = 0;
-    for (int k = k_min; k <= k_max; ++k) {
-        const double x = std::log(k) - mean_x;
-        xx += x * x;
-        xy += x * (std::log(spectrum[static_cast<std::size_t>(k)]) - mean_y);
-    }
-    const double exponent = xy / xx;
-    return PowerLaw{.exponent = exponent, .amplitude = std::exp(mean_y - exponent * mean_x)};
+    const numerics::Line line = numerics::line_through(x, y);
+    return PowerLaw{.exponent = line.slope, .amplitude = std::exp(line.intercept)};
 }
 
 std::optional<double> log_log_slope(std::span<const double> spectrum, int k_min, int k_max) {
@@ -81,11 +75,12 @@ std::optional<SlopeEstimate> slope_of_mean(std::span<const std::vector<double>> 
     const auto value = log_log_slope(mean_spectrum(samples), k_min, k_max);
     const auto without_one = slopes_without_blocks(samples, 1, k_min, k_max);
     if (!value || !without_one) return std::nullopt;
-    SlopeEstimate estimate{.value = *value, .standard_error = jackknife_error(*without_one)};
+    SlopeEstimate estimate{.value = *value,
+                           .standard_error = numerics::jackknife_error(*without_one)};
     if (samples.size() >= fewest_for_blocks) {
         const auto without_two = slopes_without_blocks(samples, 2, k_min, k_max);
         if (!without_two) return std::nullopt;
-        estimate.standard_error_blocks_of_two = jackknife_error(*without_two);
+        estimate.standard_error_blocks_of_two = numerics::jackknife_error(*without_two);
     }
     return estimate;
 }

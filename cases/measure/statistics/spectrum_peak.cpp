@@ -1,5 +1,7 @@
 #include "cases/measure/statistics/spectrum_peak.hpp"
 
+#include "native/numerics/median.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,12 +14,6 @@ constexpr std::size_t least_reach = 12;
 
 std::size_t reach(std::size_t k) {
     return std::max(least_reach, k / 5);
-}
-
-double median(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 /// The expectation around one frequency: log P = level + slope (log k' - log k).
@@ -48,7 +44,7 @@ class Neighbourhoods {
         for (std::size_t j = k - r; j <= k + r; ++j) {
             values_.push_back(std::abs(y_[j] - b.level - b.slope * (x_[j] - x_[k])));
         }
-        b.scatter = 1.4826 * median(values_);
+        b.scatter = 1.4826 * numerics::median(values_);
         return b;
     }
 
@@ -60,7 +56,7 @@ class Neighbourhoods {
         for (std::size_t j = std::max<std::size_t>(k - reach(k), 2); j <= k + reach(k); ++j)
             values_.push_back(std::abs(smooth_[j - 1] - 2 * smooth_[j] + smooth_[j + 1]));
         // (1, 2, 1)/4 after (1, -2, 1): (1, 0, -2, 0, 1)/4, variance 6/16 of that of log P.
-        b.scatter = 1.4826 * median(values_) / std::sqrt(6.0 / 16);
+        b.scatter = 1.4826 * numerics::median(values_) / std::sqrt(6.0 / 16);
         return b;
     }
 
@@ -70,7 +66,7 @@ class Neighbourhoods {
     [[nodiscard]] double half(std::size_t from, std::size_t to) {
         values_.assign(y_.begin() + static_cast<std::ptrdiff_t>(from),
                        y_.begin() + static_cast<std::ptrdiff_t>(to));
-        return median(values_);
+        return numerics::median(values_);
     }
 
     std::vector<double> x_, y_, values_;

@@ -1,7 +1,7 @@
 #include "cases/measure/statistics/time_mean.hpp"
 
 #include "cases/measure/statistics/autocorrelation.hpp"
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ std::optional<BlockedMean> time_mean(std::span<const double> times, std::span<co
     for (std::size_t begin = 0, i = 1; i <= times.size(); ++i) {
         const double next = i < times.size() ? times[i] : times.back() + interval;
         if (period_of(next) == period_of(times[begin])) continue;
-        means.push_back(mean_with_error(values.subspan(begin, i - begin)).value);
+        means.push_back(numerics::mean_with_error(values.subspan(begin, i - begin)).value);
         begin = i;
     }
     return mean_of_series(means);

@@ -1,5 +1,6 @@
 #include "reports/studies/chart/chart.hpp"
 
+#include "native/numerics/line_fit.hpp"
 #include "reference/oracles/oracles.hpp"
 
 #include <fmt/format.h>
@@ -187,19 +188,19 @@ class ChartMaker {
 
 double start_up(const std::vector<std::pair<double, double>>& work_and_seconds) {
     // Weighted least squares of t = a + b w with weights 1/t^2: equal relative errors.
-    double s = 0, sw = 0, st = 0, sww = 0, swt = 0;
-    for (const auto& [work, seconds] : work_and_seconds) {
-        if (!(seconds > 0)) return 0;
-        const double weight = 1 / (seconds * seconds);
-        s += weight;
-        sw += weight * work;
-        st += weight * seconds;
-        sww += weight * work * work;
-        swt += weight * work * seconds;
+    std::vector<double> work, seconds;
+    double weights = 0;
+    for (const auto& [w, t] : work_and_seconds) {
+        if (!(t > 0)) return 0;
+        work.push_back(w);
+        seconds.push_back(t);
+        weights += 1 / (t * t);
     }
-    const double determinant = s * sww - sw * sw;
-    if (!(determinant > 1e-9 * s * sww)) return 0;
-    return std::max((st * sww - sw * swt) / determinant, 0.0);
+    if (work.size() < 2 || std::ranges::max(work) == std::ranges::min(work)) return 0;
+    const numerics::LineFit fit = numerics::fit_line(work, seconds, seconds);
+    // Squares of the works about their mean, over their squares: they hardly differ.
+    if (!(1 / (weights * fit.intercept_variance) > 1e-9)) return 0;
+    return std::max(fit.intercept, 0.0);
 }
 
 void mark_front(std::vector<ChartPoint>& points) {

@@ -1,6 +1,6 @@
 #include "reports/studies/models/phenomenon_figure.hpp"
 
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +55,7 @@ void average(std::span<const Points> replicas, FilledCurve& filled) {
         std::vector<double> values;
         for (const Points& replica : replicas)
             values.push_back(replica.y[row]);
-        const auto mean = measure::mean_with_error(values);
+        const auto mean = numerics::mean_with_error(values);
         filled.y.push_back(mean.value);
         filled.standard_error.push_back(mean.standard_error);
     }

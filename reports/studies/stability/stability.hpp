@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <complex>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,16 +13,24 @@
 
 namespace crossgrain::studies {
 
+/// What the matrices of the tried packing itself say of a threshold.
+struct PackingTheory {
+    double limit = 0;                 ///< largest stable dt
+    std::complex<double> eigenvalue;  ///< of the one-step map at the limit
+    double residual = 0;              ///< of that eigenpair, |M s - z s|/(|z| |s|)
+};
+
 /// Largest parameter at which a method still works, found by bisection.
 struct StabilityThreshold {
-    std::string code;       ///< e.g. "native-dem"
-    std::string method;     ///< e.g. "verlet-predicted, e = 0.8"
-    std::string parameter;  ///< e.g. "dt"
-    double works = 0;       ///< largest value that worked
-    double fails = 0;       ///< smallest value that failed
-    std::optional<double> theory;
-    std::string theory_source;  ///< e.g. "analytic:largest_stable_dt"
-    double tolerance = 0;       ///< relative, of the comparison with theory
+    std::string code;                      ///< e.g. "native-dem"
+    std::string method;                    ///< e.g. "verlet-predicted, e = 0.8"
+    std::string parameter;                 ///< e.g. "dt"
+    double works = 0;                      ///< largest value that worked
+    double fails = 0;                      ///< smallest value that failed
+    std::optional<PackingTheory> packing;  ///< of closed contacts
+    std::optional<double> theory;          ///< what is compared
+    std::string theory_source;             ///< e.g. "analytic:packing_time_step_limit"
+    double tolerance = 0;                  ///< relative, of the comparison with theory
     [[nodiscard]] double measured() const noexcept { return (works + fails) / 2; }
 };
 

@@ -7,14 +7,18 @@
 
 #include "cases/measure/bed/energy_balance.hpp"
 #include "native/base/errors.hpp"
+#include "reference/analytic/packing_stability.hpp"
+#include "reference/analytic/scheme_stability.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace crossgrain::studies {
 namespace {
@@ -55,12 +59,40 @@ std::string method_name(const Scene& packing, double restitution, ContactState s
 }
 
 /// Whether the engine's iteration for the implicit velocities of Crank-Nicolson damping ends before
-/// the scheme does: its hundred rounds gain 1e-14 if dt/2 times the largest rate of the dashpots,
-/// 9 eta/m in a triangular lattice (6 eta/m normal only), is below 0.72.
+/// the scheme does: its hundred rounds take the packing's largest velocity, 4e-6, below 1e-14 if
+/// dt/2 times the largest rate of the dashpots, 9 eta/m in a triangular lattice (6 eta/m normal
+/// only), is below (1e-14/4e-6)^(1/100) = 0.82.
 bool limited_by_solver(const Scene& packing, double dt) {
     if (packing.integrator != Integrator::leapfrog_crank_nicolson) return false;
     const bool full = packing.contact.damping_acts_on == scene::Damping::full_vector;
-    return dt / 2 * (full ? 9 : 6) * packing.contact.damping / packing.grains.mass > 0.72;
+    return dt / 2 * (full ? 9 : 6) * packing.contact.damping / packing.grains.mass > 0.82;
+}
+
+/// Whether a trial can tell the limit. Where a pair z of the Euler schemes leaves the unit disc
+/// slowly, the energy of its mode grows per step by |z - 1|^2 (Taguchi's scheme: half of that)
+/// times the excess over the limit: at twice the tolerance it must rise within the trial as far as
+/// that looks for. Other schemes leave the disc fast.
+bool resolved_by_trial(analytic::TimeScheme scheme, std::complex<double> z, double tolerance) {
+    const bool taguchi = scheme == analytic::TimeScheme::taguchi_euler;
+    if (!taguchi && scheme != analytic::TimeScheme::explicit_euler) return true;
+    const double growth = std::norm(z - 1.0) * (taguchi ? 0.5 : 1.0);
+    return growth * 2 * tolerance * static_cast<double>(steps_of_trial) >= std::log(rise_of_trial);
+}
+
+/// Limits by scheme and law: two integrators may share a scheme.
+using PackingLimits = std::map<std::string, PackingTheory>;
+
+const PackingTheory& limit_of_packing(const Scene& packing, analytic::TimeScheme scheme,
+                                      PackingLimits& known) {
+    const auto& law = packing.contact;
+    const auto [entry, is_new] =
+        known.try_emplace(fmt::format("{} {} {} {}", static_cast<int>(scheme), law.stiffness,
+                                      law.damping, scene::to_string(law.damping_acts_on)));
+    if (is_new) {
+        const auto limit = analytic::packing_time_step_limit(scheme, closed_packing(packing));
+        entry->second = {limit->dt, limit->eigenvalue, limit->residual};
+    }
+    return entry->second;
 }
 
 double limit_in_lattice(const Scene& scene, analytic::TimeScheme scheme) {
@@ -71,9 +103,27 @@ double limit_in_lattice(const Scene& scene, analytic::TimeScheme scheme) {
                                                  : analytic::Damping::normal_only);
 }
 
-/// Codes that are here and can run the packing; the first alone where there is no theory.
+/// A code that is here and can run the packing.
+struct Runner {
+    const GrainCode* code;
+    adapters::Availability available;
+};
+
+std::vector<Runner> runners_of(const Scene& packing,
+                               const std::vector<const adapters::Code*>& codes) {
+    std::vector<Runner> runners;
+    for (const auto* code : codes) {
+        const auto* runner = dynamic_cast<const GrainCode*>(code);
+        if (runner == nullptr || runner->cannot_express(packing)) continue;
+        if (auto available = code->probe(); available.installed)
+            runners.push_back({runner, std::move(available)});
+    }
+    return runners;
+}
+
+/// In all codes that can run the packing; in the first alone where there is no theory.
 void add_searches(const Scene& model, const Method& method, double restitution, ContactState state,
-                  const std::vector<const adapters::Code*>& codes,
+                  const std::vector<const adapters::Code*>& codes, PackingLimits& limits,
                   std::vector<ThresholdSearch>& searches) {
     Scene with_law = model;
     with_law.contact = with_restitution(model, restitution);
@@ -81,27 +131,25 @@ void add_searches(const Scene& model, const Method& method, double restitution, 
     packing.integrator = method.integrator;
     packing.steps = packing.frame_every = 1;
     packing.dt = limit_in_lattice(packing, method.theory);
+    std::vector<Runner> runners = runners_of(packing, codes);
+    if (runners.empty()) return;
     StabilityThreshold found{.method = method_name(packing, restitution, state),
                              .parameter = "dt",
-                             .theory_source = lattice_theory,
-                             .tolerance = 0.03};
-    if (state == ContactState::closed && !limited_by_solver(packing, packing.dt)) {
-        found.theory = packing.dt;
-        if (packing.plates.bottom) {
-            found.theory =
-                analytic::packing_time_step_limit(method.theory, closed_packing(packing));
-            found.theory_source = packing_theory;
-        }
+                             .theory_source = packing_theory,
+                             .tolerance = 0.01};
+    if (state == ContactState::closed) {
+        const PackingTheory& theory = limit_of_packing(packing, method.theory, limits);
+        found.packing = theory;
+        if (theory.limit > 0) packing.dt = theory.limit;
+        if (theory.limit > 0 && !limited_by_solver(packing, theory.limit) &&
+            resolved_by_trial(method.theory, theory.eigenvalue, found.tolerance))
+            found.theory = theory.limit;
+    } else {
+        runners.resize(1);
     }
-    for (const auto* code : codes) {
-        const auto* runner = dynamic_cast<const GrainCode*>(code);
-        if (runner == nullptr || runner->cannot_express(packing)) continue;
-        const auto available = code->probe();
-        if (!available.installed) continue;
+    for (const auto& [code, available] : runners) {
         found.code = code->name();
-        searches.push_back({runner, available.version, available.digest, packing,
-                            found.theory.value_or(packing.dt), found});
-        if (state == ContactState::open) return;
+        searches.push_back({code, available.version, available.digest, packing, packing.dt, found});
     }
 }
 
@@ -110,16 +158,18 @@ std::vector<ThresholdSearch> searches_for(const Scene& given, const run::Setting
     const double own =
         std::exp(-given.contact.damping / given.grains.mass * scene::contact_time(given));
     std::vector<ThresholdSearch> searches;
+    PackingLimits limits;
     for (const Method& method : methods) {
         for (const auto damping : {scene::Damping::full_vector, scene::Damping::normal_only}) {
             Scene model = given;
             model.contact.damping_acts_on = damping;
             for (const double restitution : {own, other_restitution})
-                add_searches(model, method, restitution, ContactState::closed, codes, searches);
-            add_searches(model, method, own, ContactState::open, codes, searches);
+                add_searches(model, method, restitution, ContactState::closed, codes, limits,
+                             searches);
+            add_searches(model, method, own, ContactState::open, codes, limits, searches);
         }
         if (method.stable_without_damping)
-            add_searches(given, method, 1, ContactState::closed, codes, searches);
+            add_searches(given, method, 1, ContactState::closed, codes, limits, searches);
     }
     return searches;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cases/scene/scene.hpp"
-#include "reference/analytic/scheme_stability.hpp"
+#include "reference/analytic/closed_packing.hpp"
 
 namespace crossgrain::studies {
 

@@ -30,8 +30,9 @@ double kinetic_energy(const scene::Frame& frame) {
 /// Whether the kinetic energy does not rise again from its least value, which is that of the modes
 /// that grow and of those that have not died away yet.
 bool is_stable(const StabilityTrial& trial, Scene packing, double dt) {
-    constexpr std::int64_t steps = 6000, frames = 40;
-    constexpr double rise = 3;       // undamped, a sum over hundreds of modes fluctuates by percent
+    // Undamped, a sum over hundreds of modes fluctuates by percent.
+    constexpr double rise = rise_of_trial;
+    constexpr std::int64_t steps = steps_of_trial, frames = 40;
     constexpr double floor = 1e-10;  // of the energy at the start; below is round-off
     packing.dt = dt;
     packing.steps = steps;

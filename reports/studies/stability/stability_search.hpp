@@ -6,12 +6,18 @@
 #include "adapters/run/store/store.hpp"
 #include "reports/studies/stability/stability.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace crossgrain::studies {
+
+/// A time step fails if the energy rises this many times above its least value within so many
+/// steps.
+inline constexpr double rise_of_trial = 3;
+inline constexpr std::int64_t steps_of_trial = 6000;
 
 /// Runs scenes in a code; nothing of a run is kept but what the sink keeps.
 class StabilityTrial {

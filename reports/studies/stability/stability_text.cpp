@@ -21,6 +21,12 @@ json stability_json(const StabilityReport& report) {
     for (const auto& t : report.thresholds) {
         json entry{{"code", t.code},   {"method", t.method}, {"parameter", t.parameter},
                    {"works", t.works}, {"fails", t.fails},   {"measured", t.measured()}};
+        if (t.packing) {
+            entry["packing"] = {
+                {"limit", t.packing->limit},
+                {"eigenvalue", {t.packing->eigenvalue.real(), t.packing->eigenvalue.imag()}},
+                {"residual", t.packing->residual}};
+        }
         if (t.theory) {
             entry["theory"] = *t.theory;
             entry["theory_source"] = t.theory_source;
@@ -53,11 +59,13 @@ json stability_json(const StabilityReport& report) {
 
 std::string stability_text(const StabilityReport& report) {
     std::string text = report.case_name + "\n";
-    reports::TextTable thresholds({"code", "method", "parameter", "works", "fails", "theory", ""});
+    reports::TextTable thresholds(
+        {"code", "method", "parameter", "works", "fails", "packing", "residual", "theory"});
     for (const auto& t : report.thresholds) {
         thresholds.add({t.code, t.method, t.parameter, fmt::format("{:.5g}", t.works),
                         fmt::format("{:.5g}", t.fails),
-                        t.theory ? fmt::format("{:.5g}", *t.theory) : "-",
+                        t.packing ? fmt::format("{:.5g}", t.packing->limit) : "-",
+                        t.packing ? fmt::format("{:.1e}", t.packing->residual) : "-",
                         !t.theory         ? ""
                         : holds_theory(t) ? "agrees"
                                           : "disagrees"});

@@ -1,9 +1,9 @@
-#include "cases/measure/statistics/mean_with_error.hpp"
+#include "native/numerics/mean_with_error.hpp"
 
 #include <cassert>
 #include <cmath>
 
-namespace crossgrain::measure {
+namespace crossgrain::numerics {
 
 MeanWithError mean_with_error(std::span<const double> samples) {
     assert(!samples.empty());
@@ -20,4 +20,4 @@ MeanWithError mean_with_error(std::span<const double> samples) {
     return {mean, error, samples.size()};
 }
 
-}  // namespace crossgrain::measure
+}  // namespace crossgrain::numerics

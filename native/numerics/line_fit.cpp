@@ -1,11 +1,11 @@
-#include "reference/compare/line_fit.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
-namespace crossgrain::compare {
+namespace crossgrain::numerics {
 namespace {
 
 void check(std::span<const double> x, std::span<const double> y, std::span<const double> errors) {
@@ -78,10 +78,30 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
     return fit;
 }
 
+Line line_through(std::span<const double> x, std::span<const double> y) {
+    const LineFit fit = fit_line(x, y, std::vector<double>(x.size(), 1.0));
+    return {.intercept = fit.intercept, .slope = fit.slope};
+}
+
+double propagated_slope_error(std::span<const double> x, std::span<const double> standard_errors) {
+    if (x.size() != standard_errors.size()) {
+        throw std::invalid_argument("the error of a slope needs an error for every x");
+    }
+    double mean = 0, xx = 0, sum = 0;
+    for (const double value : x)
+        mean += value / static_cast<double>(x.size());
+    for (const double value : x)
+        xx += (value - mean) * (value - mean);
+    if (!(xx > 0)) throw std::invalid_argument("a slope needs points at different x");
+    for (std::size_t i = 0; i < x.size(); ++i)
+        sum += std::pow((x[i] - mean) * standard_errors[i] / xx, 2);
+    return std::sqrt(sum);
+}
+
 void LineFit::scale_covariance(double factor) {
     intercept_variance *= factor;
     slope_variance *= factor;
     covariance *= factor;
 }
 
-}  // namespace crossgrain::compare
+}  // namespace crossgrain::numerics

@@ -1,11 +1,19 @@
-// Straight line through points with errors, y = a + b x, by weighted least squares
+// Straight line through points, y = a + b x, by weighted least squares
 // (Bevington & Robinson, Data Reduction and Error Analysis, 3rd ed. (2003), Eqs. 6.12 and 6.23).
+// x is taken about its weighted mean, which makes the two columns of the design orthogonal: the QR
+// of least_squares.hpp by Gram and Schmidt, without a matrix.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
-namespace crossgrain::compare {
+namespace crossgrain::numerics {
+
+/// A line whose errors nobody asks for.
+struct Line {
+    double intercept = 0, slope = 0;
+    [[nodiscard]] double at(double x) const { return intercept + slope * x; }
+};
 
 struct LineFit {
     double intercept = 0, slope = 0;
@@ -31,4 +39,12 @@ struct LineFit {
 /// Unknown, equal errors: they are estimated from the residuals, so that three points are needed.
 [[nodiscard]] LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
-}  // namespace crossgrain::compare
+/// All points weighing the same, without errors: two points are enough. Throws like the others.
+[[nodiscard]] Line line_through(std::span<const double> x, std::span<const double> y);
+
+/// Standard error of the slope of line_through(x, y) that the standard errors of y make.
+/// Throws std::invalid_argument unless the spans are equally long and the x not all the same.
+[[nodiscard]] double propagated_slope_error(std::span<const double> x,
+                                            std::span<const double> standard_errors);
+
+}  // namespace crossgrain::numerics

@@ -4,10 +4,10 @@
 
 #include <span>
 
-namespace crossgrain::measure {
+namespace crossgrain::numerics {
 
 /// se^2 = (g - 1)/g sum_i (theta_(i) - mean)^2 for the g statistics theta_(i), each computed
 /// without the i-th of g equal parts of the data. Shape (parts), at least two.
 [[nodiscard]] double jackknife_error(std::span<const double> statistics_without_part);
 
-}  // namespace crossgrain::measure
+}  // namespace crossgrain::numerics

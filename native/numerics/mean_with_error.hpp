@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace crossgrain::measure {
+namespace crossgrain::numerics {
 
 struct MeanWithError {
     double value = 0;
@@ -16,4 +16,4 @@ struct MeanWithError {
 /// not be empty.
 [[nodiscard]] MeanWithError mean_with_error(std::span<const double> samples);
 
-}  // namespace crossgrain::measure
+}  // namespace crossgrain::numerics

@@ -1,7 +1,6 @@
 // Weighted line fit: exact lines, covariance against the scatter of synthetic fits, bad input.
-#include "reference/compare/line_fit.hpp"
-
 #include "native/base/random.hpp"
+#include "native/numerics/line_fit.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -11,7 +10,7 @@
 
 namespace tt = boost::test_tools;
 using namespace crossgrain;
-using namespace crossgrain::compare;
+using namespace crossgrain::numerics;
 using Numbers = std::vector<double>;
 
 BOOST_AUTO_TEST_CASE(finds_an_exact_line_whatever_the_weights) {

@@ -1,5 +1,5 @@
 // The jackknife of a mean is its standard error, exactly.
-#include "cases/measure/statistics/jackknife.hpp"
+#include "native/numerics/jackknife.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -19,9 +19,10 @@ BOOST_AUTO_TEST_CASE(error_of_a_mean) {
     std::vector<double> means;
     for (const double value : data)
         means.push_back((sum - value) / 5);
-    BOOST_TEST(measure::jackknife_error(means) == std::sqrt(squares / 5 / 6), tt::tolerance(1e-14));
+    BOOST_TEST(numerics::jackknife_error(means) == std::sqrt(squares / 5 / 6),
+               tt::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(no_scatter_no_error) {
-    BOOST_TEST(measure::jackknife_error(std::vector<double>{0.1, 0.1, 0.1}) == 0);
+    BOOST_TEST(numerics::jackknife_error(std::vector<double>{0.1, 0.1, 0.1}) == 0);
 }
