@@ -4,10 +4,10 @@
 #include "app/chart/chart_document.hpp"
 #include "app/commands/commands.hpp"
 #include "app/output.hpp"
+#include "app/pages.hpp"
 #include "app/session.hpp"
 #include "reports/web/atomic_file.hpp"
 #include "reports/web/document.hpp"
-#include "reports/web/web_report.hpp"
 
 #include <exception>
 
@@ -16,7 +16,8 @@ namespace {
 
 /// The charts of this call below <directory>/charts, and the page of these and of earlier ones.
 void write_charts(const std::vector<Chart>& charts, const nlohmann::json& document,
-                  const std::filesystem::path& directory) {
+                  const Settings& settings) {
+    const auto directory = settings.results / "report";
     for (std::size_t i = 0; i < charts.size(); ++i) {
         const auto stem = (directory / "charts" / chart_stem(charts[i].case_name)).string();
         reports::write_file_atomically(stem + ".csv", chart_csv(charts[i]));
@@ -25,7 +26,7 @@ void write_charts(const std::vector<Chart>& charts, const nlohmann::json& docume
     }
     nlohmann::json page = document;
     add_earlier_charts(directory / "charts", page["charts"]);
-    reports::write_chart_page(page, directory, share_directory() / "web");
+    write_page(Page::charts, page, settings);
 }
 
 }  // namespace
@@ -49,15 +50,14 @@ int chart_cases(const Settings& given, std::stop_token stop) {
                                   {"command", settings.command},
                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
                                   {"charts", std::move(list)}};
-    const auto directory = settings.results / "report";
     // A file of another call can spoil the page; what was computed is told all the same.
-    const auto failure = failure_of([&] { write_charts(charts, document, directory); });
+    const auto failure = failure_of([&] { write_charts(charts, document, settings); });
     if (settings.json) {
         print_document(document);
     } else {
         for (const auto& chart : charts)
             print_results("{}\n", chart_table(chart));
-        if (!failure) print_results("written: {}\n", (directory / "charts.html").string());
+        if (!failure) print_results("written: {}\n", page_file(Page::charts, settings).string());
     }
     if (failure) std::rethrow_exception(failure);
     // A rung that fails is a result here; a run that nobody let finish is not.

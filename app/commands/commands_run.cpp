@@ -8,12 +8,12 @@
 #include "app/history.hpp"
 #include "app/models/models_table.hpp"
 #include "app/output.hpp"
+#include "app/pages.hpp"
 #include "app/session.hpp"
 #include "app/tables.hpp"
 #include "reports/web/atomic_file.hpp"
 #include "reports/web/csv.hpp"
 #include "reports/web/junit.hpp"
-#include "reports/web/web_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -65,12 +65,12 @@ void print_cases(const SessionReport& report, const Settings& settings) {
     print_results("{}\n{}", verdict_table(report), exceptions_list(report));
 }
 
-/// Pages, JUnit XML and CSV below <results>/report.
+/// Pages (where the build has them), JUnit XML and CSV below <results>/report.
 void write_report_files(const SessionReport& report, const store::Store& store,
                         const Settings& settings) {
     const auto document = report_document(report, history_of(store.history()), settings);
     const auto directory = settings.results / "report";
-    reports::write_web_report(document, directory, share_directory() / "web");
+    write_page(Page::report, document, settings);
     reports::write_file_atomically(directory / "junit.xml", reports::junit_xml(document));
     reports::write_file_atomically(directory / "measurements.csv",
                                    reports::measurements_csv(document));
@@ -96,7 +96,7 @@ void open_in_browser(const std::filesystem::path& page) {
     const auto opener = process::find_program("xdg-open");
     const bool shown =
         opener && process::start_detached(*opener, {std::filesystem::absolute(page).string()});
-    if (!shown) print_note("no program is set up to open HTML pages here");
+    if (!shown) print_note("no program is set up to open {} here", page.filename().string());
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ int validate(const Settings& settings, std::stop_token stop) {
     const int code = close_session(report, settings);
     if (failure) std::rethrow_exception(failure);
     if (!report.interrupted && !settings.quiet)
-        print_note("report: {}", (settings.results / "report/index.html").string());
+        print_note("report: {}", page_file(Page::report, settings).string());
     return code;
 }
 
@@ -187,7 +187,7 @@ int write_report(const Settings& settings, bool open) {
     store::Store store = open_store(settings, store::Access::read);
     const auto report = run_session(settings, store, {}, false);
     write_report_files(report, store, settings);
-    const auto page = settings.results / "report/index.html";
+    const auto page = page_file(Page::report, settings);
     print_results("{}\n", page.string());
     if (open) open_in_browser(page);
     return exit_ok;

@@ -3,12 +3,12 @@
 // failure map it names.
 #include "app/commands/commands.hpp"
 #include "app/output.hpp"
+#include "app/pages.hpp"
 #include "app/session.hpp"
 #include "app/stability/stability.hpp"
 #include "app/stability/stability_dem.hpp"
 #include "app/text_table.hpp"
 #include "native/base/errors.hpp"
-#include "reports/web/web_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -198,15 +198,16 @@ void add_map(const Settings& settings, store::Store& store, const std::stop_toke
     }
 }
 
-/// The page of all maps of this call, <results>/report/stability.html.
-void write_page(const json& maps, const Settings& settings) {
+/// The page of all maps of this call.
+void write_maps(const json& maps, const Settings& settings) {
     const Machine machine = this_machine();
-    reports::write_stability_page({{"version", program_version()},
-                                   {"created", store::utc_now()},
-                                   {"command", settings.command},
-                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
-                                   {"stability", maps}},
-                                  settings.results / "report", share_directory() / "web");
+    write_page(Page::stability,
+               {{"version", program_version()},
+                {"created", store::utc_now()},
+                {"command", settings.command},
+                {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
+                {"stability", maps}},
+               settings);
 }
 
 /// The cases of this call. Before anything is computed one that was named and cannot be tried out
@@ -250,14 +251,13 @@ int map_stability(const Settings& settings, const std::stop_token& stop) {
     json all = json::array();
     for (const auto& report : reports)
         all.push_back(report_json(report));
-    const auto page = settings.results / "report" / "stability.html";
-    const auto failure = failure_of([&] { write_page(all, settings); });
+    const auto failure = failure_of([&] { write_maps(all, settings); });
     if (settings.json) {
         print_document({{"stability", std::move(all)}});
     } else {
         for (const auto& report : reports)
             print_report(report);
-        if (!failure) print_results("written: {}\n", page.string());
+        if (!failure) print_results("written: {}\n", page_file(Page::stability, settings).string());
     }
     if (failure) std::rethrow_exception(failure);
     return stop.stop_requested() ? exit_interrupted : code;
