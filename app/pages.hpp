@@ -1,4 +1,5 @@
-// The report pages, which a build may leave out (CMake option CROSSGRAIN_PAGES): only they need npm.
+// The report pages, which a build may leave out (CMake option CROSSGRAIN_PAGES): only they need
+// npm.
 #pragma once
 
 #include "app/settings.hpp"

@@ -36,10 +36,12 @@ using HopperObservable = ModelObservable<scene::HopperAutomaton, scene::HopperFr
 [[nodiscard]] const std::vector<HopperObservable>& hopper_observables();
 
 /// The observables of a scene's model, and what they have to know of it.
-[[nodiscard]] inline const std::vector<GrainObservable>& observables_of(const scene::Scene& /*model*/) {
+[[nodiscard]] inline const std::vector<GrainObservable>&
+observables_of(const scene::Scene& /*model*/) {
     return grain_observables();
 }
-[[nodiscard]] inline const std::vector<GasObservable>& observables_of(const scene::LatticeGas& /*model*/) {
+[[nodiscard]] inline const std::vector<GasObservable>&
+observables_of(const scene::LatticeGas& /*model*/) {
     return gas_observables();
 }
 [[nodiscard]] inline const std::vector<GasObservable>&

@@ -49,7 +49,8 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_a_hint) {
     check_refused(crossgrain({"run", "colision-normal"}), {"did you mean 'collision-normal'?"});
     check_refused(crossgrain({"run", "gas-parity", "--code", "lamps"}), {"did you mean 'lammps'?"});
     check_refused(crossgrain({"run", "/nonexistent/case.toml"}), {"cannot be read"});
-    check_refused(crossgrain({"validte"}), {"'validte' is no command or option", "did you mean 'validate'?"});
+    check_refused(crossgrain({"validte"}),
+                  {"'validte' is no command or option", "did you mean 'validate'?"});
     check_refused(crossgrain({"--nonsense"}), {"'--nonsense' is no command or option"});
     BOOST_TEST(crossgrain({"run", "--nonsense"}).status == 2);
     BOOST_TEST(crossgrain({}).status == 2);

@@ -88,6 +88,7 @@ function(check_links path text result)
     set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 set(errors "")
 if(SELFTEST)
     # The judge is judged: each of these must be found.
