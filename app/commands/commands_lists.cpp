@@ -1,10 +1,11 @@
-// crossgrain codes | cases | observables: what is there.
+// crossgrain codes | cases | observables | schema: what is there.
 #include "app/catalogue/catalogue.hpp"
 #include "app/commands/commands.hpp"
 #include "app/documents.hpp"
 #include "app/output.hpp"
 #include "app/session.hpp"
 #include "app/text_table.hpp"
+#include "cases/catalog/case_schema.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,6 +89,19 @@ int list_observables(const Settings& settings) {
     } else {
         print_results("{}\noracles: {}\n", table.text(0), fmt::join(oracle_names(), ", "));
     }
+    return exit_ok;
+}
+
+int print_schema() {
+    std::vector<std::string> names;
+    for (const auto& code : codes())
+        names.push_back(code->name());
+    std::map<std::string, std::vector<catalog::ObservableWords>> observables;
+    for (const auto& entry : observable_texts())
+        observables[entry.model].push_back({entry.name, entry.options, entry.measures});
+    // Signals are what the lattice gas's estimators are calibrated with.
+    observables["synthetic-signal"] = observables["lattice-gas"];
+    print_document(catalog::case_schema(names, observables));
     return exit_ok;
 }
 
