@@ -28,6 +28,7 @@ const std::vector<std::unique_ptr<adapters::Code>>& codes() {
         list.push_back(std::make_unique<adapters::LammpsCode>());
         list.push_back(std::make_unique<adapters::LiggghtsCode>());
         list.push_back(std::make_unique<adapters::YadeCode>());
+        // tools/new.sh code: codes go above this line
         return list;
     }();
     return all;

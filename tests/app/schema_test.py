@@ -1,5 +1,6 @@
 """The JSON schema of case files, held against the files and the reader, by the validator of
-python3-jsonschema: every shipped case is valid; what is wrong is neither valid nor read. Skipped (77) without the validator. Usage: schema_test.py PROGRAM SOURCE_DIRECTORY"""
+python3-jsonschema: every shipped case is valid; what is wrong is neither valid nor read. Skipped
+(77) without the validator. Usage: schema_test.py PROGRAM SOURCE_DIRECTORY"""
 
 import json
 import pathlib

@@ -24,6 +24,7 @@ set(rule_adapters/dump native/base cases/scene)
 set(rule_adapters/program native/base cases/scene adapters adapters/process adapters/dump)
 set(rule_adapters/native native/base native/dem native/friction native/lga native/hopper cases/scene adapters adapters/dump)
 set(rule_adapters/synthetic native/base cases/scene adapters)
+# tools/new.sh code: rules go above this line
 foreach(code IN ITEMS lammps_family lammps liggghts yade)
     set(rule_adapters/${code} native/base cases/scene adapters adapters/process adapters/dump
                               adapters/program)
