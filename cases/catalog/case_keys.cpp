@@ -46,7 +46,7 @@ const TableKeys& error_keys() {
         .name = "chart.error",
         .keys = {
             {"observable", TextRule{}, "a measurement", required},
-            {"against", TextRule{}, "\"analytic:...\" or \"converged:<variant>\"", required},
+            {"against", TextRule{}, R"("analytic:..." or "converged:<variant>")", required},
             {"margin", NumberRule{Range::positive()}, "beyond it a result is inaccurate", required},
             {"reason", TextRule{}, "why this margin", required}}};
     return keys;
