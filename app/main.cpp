@@ -96,6 +96,8 @@ std::map<CLI::App*, Action> add_commands(CLI::App& program, Arguments& a) {
         [](Arguments& x, auto) { return app::list_cases(x.settings); });
     add("observables", "what can be measured, and the exact values there are",
         [](Arguments& x, auto) { return app::list_observables(x.settings); });
+    add("schema", "the JSON schema of case files, for editors",
+        [](Arguments&, auto) { return app::print_schema(); });
     auto* run = add("run", "run cases and judge them", [](Arguments& x, std::stop_token stop) {
         return app::run_cases(x.settings, std::move(stop));
     });
@@ -203,8 +205,8 @@ constexpr std::size_t longest_message = 1000;
 
 /// Whether the command has nothing to bring to an orderly end.
 bool only_reads(const CLI::App& command) {
-    constexpr std::array names{"cases",   "observables", "compare", "report",
-                               "history", "regressions", "advise"};
+    constexpr std::array names{"cases",  "observables", "schema",      "compare",
+                               "report", "history",     "regressions", "advise"};
     return std::ranges::find(names, command.get_name()) != names.end();
 }
 

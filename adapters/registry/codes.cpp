@@ -27,6 +27,7 @@ const std::vector<std::unique_ptr<Code>>& codes() {
         list.push_back(std::make_unique<LammpsCode>());
         list.push_back(std::make_unique<LiggghtsCode>());
         list.push_back(std::make_unique<YadeCode>());
+        // tools/new.sh code: codes go above this line
         return list;
     }();
     return all;

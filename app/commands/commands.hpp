@@ -13,6 +13,8 @@ namespace crossgrain::app {
 int list_codes(const Settings& settings, std::stop_token stop);
 int list_cases(const Settings& settings);
 int list_observables(const Settings& settings);
+/// The JSON schema of case files.
+int print_schema();
 
 /// Computes what the store lacks, then prints measurements, verdicts and costs.
 int run_cases(const Settings& settings, std::stop_token stop);

@@ -4,13 +4,12 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "native/base/machine.hpp"
-#include "native/base/share_directory.hpp"
 #include "reports/documents/atomic_file.hpp"
 #include "reports/documents/json_text.hpp"
 #include "reports/session/session.hpp"
 #include "reports/studies/chart/chart_document.hpp"
 #include "reports/terminal/output.hpp"
-#include "reports/web/web_report.hpp"
+#include "reports/web/pages.hpp"
 
 #include <exception>
 
@@ -19,7 +18,8 @@ namespace {
 
 /// The charts of this call below <directory>/charts, and the page of these and of earlier ones.
 void write_charts(const std::vector<studies::Chart>& charts, const nlohmann::json& document,
-                  const std::filesystem::path& directory) {
+                  const Settings& settings) {
+    const auto directory = settings.results / "report";
     for (std::size_t i = 0; i < charts.size(); ++i) {
         const auto stem =
             (directory / "charts" / studies::chart_stem(charts[i].case_name)).string();
@@ -29,7 +29,7 @@ void write_charts(const std::vector<studies::Chart>& charts, const nlohmann::jso
     }
     nlohmann::json page = document;
     studies::add_earlier_charts(directory / "charts", page["charts"]);
-    reports::write_chart_page(page, directory, share_directory() / "web");
+    reports::write_page(reports::Page::charts, page, settings);
 }
 
 }  // namespace
@@ -53,16 +53,17 @@ int chart_cases(const Settings& given, std::stop_token stop) {
                                   {"command", settings.command},
                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
                                   {"charts", std::move(list)}};
-    const auto directory = settings.results / "report";
     // A file of another call can spoil the page; what was computed is told all the same.
-    const auto failure = terminal::failure_of([&] { write_charts(charts, document, directory); });
+    const auto failure = terminal::failure_of([&] { write_charts(charts, document, settings); });
     if (settings.json) {
         terminal::print_document(document);
     } else {
         for (const auto& chart : charts)
             terminal::print_results("{}\n", studies::chart_table(chart));
-        if (!failure)
-            terminal::print_results("written: {}\n", (directory / "charts.html").string());
+        if (!failure) {
+            terminal::print_results("written: {}\n",
+                                    reports::page_file(reports::Page::charts, settings).string());
+        }
     }
     if (failure) std::rethrow_exception(failure);
     // A rung that fails is a result here; a run that nobody let finish is not.

@@ -1,6 +1,8 @@
-// crossgrain codes | cases | observables: what is there.
+// crossgrain codes | cases | observables | schema: what is there.
+#include "adapters/registry/codes.hpp"
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
+#include "cases/catalog/case_schema.hpp"
 #include "cases/observables/observables.hpp"
 #include "native/base/share_directory.hpp"
 #include "reference/oracles/oracles.hpp"
@@ -93,6 +95,19 @@ int list_observables(const Settings& settings) {
         terminal::print_results("{}\noracles: {}\n", table.text(0),
                                 fmt::join(oracles::oracle_names(), ", "));
     }
+    return exit_ok;
+}
+
+int print_schema() {
+    std::vector<std::string> names;
+    for (const auto& code : adapters::codes())
+        names.push_back(code->name());
+    std::map<std::string, std::vector<catalog::ObservableWords>> by_model;
+    for (const auto& entry : observables::observable_texts())
+        by_model[entry.model].push_back({entry.name, entry.options, entry.measures});
+    // Signals are what the lattice gas's estimators are calibrated with.
+    by_model["synthetic-signal"] = by_model["lattice-gas"];
+    terminal::print_document(catalog::case_schema(names, by_model));
     return exit_ok;
 }
 

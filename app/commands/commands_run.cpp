@@ -15,8 +15,8 @@
 #include "reports/studies/history.hpp"
 #include "reports/studies/models/models_table.hpp"
 #include "reports/terminal/output.hpp"
+#include "reports/web/pages.hpp"
 #include "reports/web/report_document.hpp"
-#include "reports/web/web_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,13 +70,13 @@ void print_cases(const session::SessionReport& report, const Settings& settings)
                             reports::exceptions_list(report));
 }
 
-/// Pages, JUnit XML and CSV below <results>/report.
+/// Pages (where the build has them), JUnit XML and CSV below <results>/report.
 void write_report_files(const session::SessionReport& report, const store::Store& store,
                         const Settings& settings) {
     const auto document =
         reports::report_document(report, studies::history_of(store.history()), settings.command);
     const auto directory = settings.results / "report";
-    reports::write_web_report(document, directory, share_directory() / "web");
+    reports::write_page(reports::Page::report, document, settings);
     reports::write_file_atomically(directory / "junit.xml", reports::junit_xml(document));
     reports::write_file_atomically(directory / "measurements.csv",
                                    reports::measurements_csv(document));
@@ -102,7 +102,8 @@ void open_in_browser(const std::filesystem::path& page) {
     const auto opener = process::find_program("xdg-open");
     const bool shown =
         opener && process::start_detached(*opener, {std::filesystem::absolute(page).string()});
-    if (!shown) terminal::print_note("no program is set up to open HTML pages here");
+    if (!shown)
+        terminal::print_note("no program is set up to open {} here", page.filename().string());
 }
 
 }  // namespace
@@ -185,7 +186,8 @@ int validate(const Settings& settings, std::stop_token stop) {
     const int code = close_session(report, settings);
     if (failure) std::rethrow_exception(failure);
     if (!report.interrupted && !settings.quiet)
-        terminal::print_note("report: {}", (settings.results / "report/index.html").string());
+        terminal::print_note("report: {}",
+                             reports::page_file(reports::Page::report, settings).string());
     return code;
 }
 
@@ -193,7 +195,7 @@ int write_report(const Settings& settings, bool open) {
     store::Store store = session::open_store(settings, store::Access::read);
     const auto report = session::run_session(settings, store, {}, false);
     write_report_files(report, store, settings);
-    const auto page = settings.results / "report/index.html";
+    const auto page = reports::page_file(reports::Page::report, settings);
     terminal::print_results("{}\n", page.string());
     if (open) open_in_browser(page);
     return exit_ok;

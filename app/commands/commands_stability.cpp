@@ -3,13 +3,12 @@
 #include "app/commands/commands.hpp"
 #include "app/exit_code.hpp"
 #include "native/base/machine.hpp"
-#include "native/base/share_directory.hpp"
 #include "reports/session/session.hpp"
 #include "reports/studies/stability/stability.hpp"
 #include "reports/studies/stability/stability_dem.hpp"
 #include "reports/studies/stability/stability_map.hpp"
 #include "reports/terminal/output.hpp"
-#include "reports/web/web_report.hpp"
+#include "reports/web/pages.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,15 +19,16 @@ namespace {
 
 using nlohmann::json;
 
-/// The page of all maps of this call, <results>/report/stability.html.
-void write_page(const json& maps, const Settings& settings) {
+/// The page of all maps of this call.
+void write_maps(const json& maps, const Settings& settings) {
     const Machine machine = this_machine();
-    reports::write_stability_page({{"version", adapters::program_version()},
-                                   {"created", store::utc_now()},
-                                   {"command", settings.command},
-                                   {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
-                                   {"stability", maps}},
-                                  settings.results / "report", share_directory() / "web");
+    reports::write_page(reports::Page::stability,
+                        {{"version", adapters::program_version()},
+                         {"created", store::utc_now()},
+                         {"command", settings.command},
+                         {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
+                         {"stability", maps}},
+                        settings);
 }
 
 }  // namespace
@@ -55,14 +55,16 @@ int map_stability(const Settings& settings, const std::stop_token& stop) {
     json all = json::array();
     for (const auto& report : reports)
         all.push_back(studies::stability_json(report));
-    const auto page = settings.results / "report" / "stability.html";
-    const auto failure = terminal::failure_of([&] { write_page(all, settings); });
+    const auto failure = terminal::failure_of([&] { write_maps(all, settings); });
     if (settings.json) {
         terminal::print_document({{"stability", std::move(all)}});
     } else {
         for (const auto& report : reports)
             terminal::print_result_text(studies::stability_text(report));
-        if (!failure) terminal::print_results("written: {}\n", page.string());
+        if (!failure) {
+            terminal::print_results(
+                "written: {}\n", reports::page_file(reports::Page::stability, settings).string());
+        }
     }
     if (failure) std::rethrow_exception(failure);
     return stop.stop_requested() ? exit_interrupted : code;

@@ -1,5 +1,6 @@
 #include "cases/catalog/case.hpp"
 
+#include "cases/catalog/case_keys.hpp"
 #include "cases/catalog/check_file.hpp"
 #include "cases/catalog/fit_file.hpp"
 #include "cases/catalog/sweep_file.hpp"
@@ -12,12 +13,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 namespace crossgrain::catalog {
 
-using toml_input::Range;
+using toml_input::KeyedTable;
 using toml_input::TomlTable;
 
 /// The parsed file and, per variant, the layers of [scene] from the top: variant, sweep, suite,
@@ -36,23 +36,13 @@ struct Case::Source {
 
 namespace {
 
-constexpr double longest_run = 1e9;  // s; what is longer overflows the clock
-
-const std::array<std::string, 4> models{"grains", "lattice-gas", "hopper-automaton",
-                                        "synthetic-signal"};
-
 const toml::table* sub_table(const toml::table& parent, std::string_view key) {
     const auto* node = parent.get(key);
     return node == nullptr ? nullptr : node->as_table();
 }
 
-std::vector<std::string> read_suites(const TomlTable& t, const toml::table& root) {
+std::vector<std::string> read_suites(const KeyedTable& t, const toml::table& root) {
     auto suites = t.texts("suites");
-    for (const auto& suite : suites) {
-        if (suite == "quick" || suite == "full") continue;
-        throw t.error("suites", "names an unknown suite", fmt::format("\"{}\"", suite),
-                      "\"quick\", \"full\" or both");
-    }
     if (sub_table(root, "chart") != nullptr) suites.emplace_back("chart");
     return suites;
 }
@@ -78,12 +68,12 @@ Sweep sweep_of(const Case::Source& source, Suite suite, const std::vector<std::s
     return read_sweep(base, layered, source.file, axes);
 }
 
-std::vector<ChartedError> read_charted(const TomlTable& t) {
+std::vector<ChartedError> read_charted(const KeyedTable& t) {
     std::vector<ChartedError> charted;
-    for (const TomlTable& entry : t.tables("error")) {
+    for (const KeyedTable& entry : t.tables("error")) {
         charted.push_back({.observable = entry.text("observable"),
                            .against = entry.text("against"),
-                           .margin = entry.number("margin", Range::positive()),
+                           .margin = entry.number("margin"),
                            .reason = entry.text("reason"),
                            .line = entry.line()});
         const std::string& against = charted.back().against;
@@ -96,10 +86,10 @@ std::vector<ChartedError> read_charted(const TomlTable& t) {
     return charted;
 }
 
-Replicas read_replicas(const TomlTable& t) {
+Replicas read_replicas(const KeyedTable& t) {
     Replicas replicas;
-    for (const auto& key : t.keys()) {
-        const std::int64_t count = t.integer(key, key == "default" ? 1 : 0, most_runs);
+    for (const auto& key : t.names()) {
+        const std::int64_t count = t.integer(key);
         if (key == "default") {
             replicas.standard = count;
         } else {
@@ -109,19 +99,19 @@ Replicas read_replicas(const TomlTable& t) {
     return replicas;
 }
 
-std::vector<ObservableRequest> read_observables(const TomlTable& t) {
+std::vector<ObservableRequest> read_observables(const KeyedTable& t) {
     std::vector<ObservableRequest> requests;
-    for (const TomlTable& entry : t.tables("observable")) {
+    for (const KeyedTable& entry : t.tables("observable")) {
         ObservableRequest request{
-            .name = entry.name("name"), .options = {}, .line = entry.line(), .column = 1};
-        for (const auto& key : entry.keys()) {
+            .name = entry.text("name"), .options = {}, .line = entry.line(), .column = 1};
+        for (const auto& key : entry.names()) {
             if (key == "name") continue;
             const CaseError at = entry.error(key, "", "", "");
             Option option{.line = at.details().line, .column = at.details().column};
             if (entry.is_text(key)) {
                 option.text = entry.text(key);
             } else {
-                option.numbers = entry.numbers(key, Range::any());
+                option.numbers = entry.numbers(key);
             }
             request.options.emplace(key, std::move(option));
         }
@@ -188,13 +178,27 @@ scene::Scene Case::grain_scene(std::size_t variant, std::size_t rung, std::uint6
 namespace {
 
 void count_rungs(Case& the_case, const Case::Source& source) {
-    if (the_case.model != models[0]) return;  // only grains have ladders of time steps
+    if (the_case.model != models().front().name) return;  // only grains have ladders of time steps
     for (Variant& variant : the_case.variants) {
         try {
             variant.rungs = scene::ladder_size(source.scene_table(variant));
         } catch (const CaseError& error) {
             throw source.placed(error);
         }
+    }
+}
+
+/// Nothing would read the table of a suite within that of another.
+void check_no_suite_inside(const Case::Source& source, Suite suite) {
+    if (source.suite == nullptr) return;
+    for (const Suite inner : {Suite::quick, Suite::chart}) {
+        const auto* there = source.suite->get(layer_of(inner));
+        if (there == nullptr) continue;
+        throw CaseError({.file = source.file,
+                         .line = static_cast<int>(there->source().begin.line),
+                         .key = fmt::format("{}.{}", layer_of(suite), layer_of(inner)),
+                         .problem = "is a suite within a suite",
+                         .expected = fmt::format("[{}] by itself", layer_of(inner))});
     }
 }
 
@@ -216,33 +220,33 @@ Case case_from(const std::shared_ptr<const toml::table>& root, const std::string
     std::vector<const toml::table*> layers{root.get()};
     if (source->suite != nullptr) layers.insert(layers.begin(), source->suite);
     source->sweep = sweep_of(*source, suite, axes);
-    const TomlTable t(file, "", layers);
+    check_no_suite_inside(*source, suite);
+    const bool charted = suite == Suite::chart;
+    const KeyedTable t(TomlTable(file, "", layers), charted ? charted_case_keys() : case_keys());
     Case result;
     result.file = file;
-    result.name = t.name("name");
+    result.name = t.text("name");
     result.title = t.text("title");
     result.source = t.text("source");
-    result.text = t.prose("text");
+    result.text = t.text("text");
     result.suites = read_suites(t, *root);
-    result.time_limit = t.number("time_limit", Range::left_open(0, longest_run));
-    if (t.has("model")) result.model = models[t.choice("model", models)];
+    result.time_limit = t.number("time_limit");
+    if (t.has("model")) result.model = models()[t.choice("model")].name;
     result.failure_map = t.optional_text("failure_map").value_or("");
     result.variants = cross(file, source->sweep, read_written_variants(t));
     result.replicas = read_replicas(t.table("replicas"));
-    const TomlTable more = t.table("replicas_in");
-    for (const auto& pattern : more.keys())
-        result.replicas.times_in[pattern] = more.integer(pattern, 1, most_runs);
+    const KeyedTable more = t.table("replicas_in");
+    for (const auto& pattern : more.names())
+        result.replicas.times_in[pattern] = more.integer(pattern);
     result.observables = read_observables(t);
     result.fits = read_fits(t);
     result.checks = read_checks(t);
-    if (suite == Suite::chart) {
+    if (charted) {
         result.checks.clear();
         result.charted = read_charted(t);
     }
-    for (const char* other : {"quick", "chart"})
-        (void)t.table(other);
-    (void)t.table("scene");
-    (void)t.table("sweep");
+    for (const char* elsewhere : {"quick", "chart", "scene", "sweep"})
+        t.check_table(elsewhere);
     count_rungs(result, *source);
     t.reject_unknown_keys();
     result.parsed = std::move(source);

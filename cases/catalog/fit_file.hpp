@@ -2,11 +2,13 @@
 #pragma once
 
 #include "cases/catalog/case.hpp"
-#include "cases/toml/toml_table.hpp"
+#include "cases/toml/keyed_table.hpp"
 
 namespace crossgrain::catalog {
 
+[[nodiscard]] const toml_input::TableKeys& fit_keys();
+
 /// Throws CaseError for a table that makes no sense.
-[[nodiscard]] std::vector<Fit> read_fits(const toml_input::TomlTable& t);
+[[nodiscard]] std::vector<Fit> read_fits(const toml_input::KeyedTable& t);
 
 }  // namespace crossgrain::catalog

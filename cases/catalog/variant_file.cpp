@@ -13,7 +13,10 @@
 namespace crossgrain::catalog {
 namespace {
 
-using toml_input::TomlTable;
+using toml_input::KeyedTable;
+using toml_input::TableKeys;
+using toml_input::TextRule;
+using toml_input::TextsRule;
 
 void require_variant(const Case& the_case, int line, const char* key, const std::string& pattern) {
     std::vector<std::string> names;
@@ -29,12 +32,20 @@ void require_variant(const Case& the_case, int line, const char* key, const std:
                      .expected = fmt::format("one of {}", fmt::join(names, ", "))});
 }
 
-std::map<std::string, std::vector<std::string>> read_only(const TomlTable& entry) {
+std::map<std::string, std::vector<std::string>> read_only(const KeyedTable& entry) {
     std::map<std::string, std::vector<std::string>> only;
-    const TomlTable t = entry.table("only");
-    for (const auto& key : t.keys())
+    const KeyedTable t = entry.table("only");
+    for (const auto& key : t.names())
         only[key] = t.texts(key);
     return only;
+}
+
+const TableKeys& only_keys() {
+    static const TableKeys keys{
+        .name = "variant.only",
+        .keys = {},
+        .others = {{"key of the sweep", TextsRule{}, "its values, as texts"}}};
+    return keys;
 }
 
 /// Every value that the variant is limited to must be one of the sweep's.
@@ -79,18 +90,32 @@ bool is_made_at(const Variant& variant, const SweepPoint& point) {
 
 }  // namespace
 
-std::vector<Variant> read_written_variants(const TomlTable& t) {
+const TableKeys& variant_keys() {
+    static const TableKeys keys{
+        .name = "variant",
+        .keys = {{"name", TextRule{}, "of its own", toml_input::Need::required},
+                 {"scene", toml_input::SceneRule{}, "keys that are laid over [scene]"},
+                 {"not_expressible_in", TextsRule{.names = "code"}, "gaps that are known"},
+                 {"drops", TextRule{}, "physics that it leaves out, e.g. \"spins\""},
+                 {"only", toml_input::TableRule{only_keys},
+                  "points of the sweep at which alone it is made"}}};
+    return keys;
+}
+
+std::vector<Variant> read_written_variants(const KeyedTable& t) {
     std::vector<Variant> variants;
     std::set<std::string> names;
-    for (const TomlTable& entry : t.tables("variant")) {
+    for (const KeyedTable& entry : t.tables("variant")) {
         Variant variant{.name = entry.text("name"), .not_expressible_in = {}};
-        if (!variant.name.empty()) (void)entry.name("name");  // one may be plain
+        const auto fault = toml_input::fault_in(variant.name, toml_input::TextKind::name);
+        if (!variant.name.empty() && fault)  // one may be plain
+            throw entry.error("name", fault->problem, fault->got, fault->expected);
         if (entry.has("not_expressible_in")) {
             variant.not_expressible_in = entry.texts("not_expressible_in");
         }
         variant.drops = entry.optional_text("drops").value_or("");
         variant.only = read_only(entry);
-        (void)entry.table("scene");  // read by Case::scene
+        entry.check_table("scene");  // read by Case::scene
         entry.reject_unknown_keys();
         if (!names.insert(variant.name).second) {
             throw entry.error("name", "is taken", fmt::format("\"{}\"", variant.name),

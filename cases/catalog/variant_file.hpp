@@ -3,14 +3,16 @@
 
 #include "cases/catalog/case.hpp"
 #include "cases/catalog/sweep_file.hpp"
-#include "cases/toml/toml_table.hpp"
+#include "cases/toml/keyed_table.hpp"
 
 #include <vector>
 
 namespace crossgrain::catalog {
 
+[[nodiscard]] const toml_input::TableKeys& variant_keys();
+
 /// The [[variant]] tables; one without a name if there are none. Throws CaseError.
-[[nodiscard]] std::vector<Variant> read_written_variants(const toml_input::TomlTable& t);
+[[nodiscard]] std::vector<Variant> read_written_variants(const toml_input::KeyedTable& t);
 
 /// Every point of the sweep in every written variant that is not limited to others, the sweep
 /// changing slower. Throws CaseError for a limit that is no point of the sweep.

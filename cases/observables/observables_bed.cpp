@@ -163,6 +163,7 @@ const std::vector<GrainObservable>& grain_observables() {
              "flow_depth, flowing_layers, lost_bonds of a vibrated bed; lost bonds by layer",
              {"skip", "share"},
              make_flow_depth},
+            // tools/new.sh observable: entries go above this line
         };
         const auto& flow = flow_observables();
         entries.insert(entries.end(), flow.begin(), flow.end());

@@ -6,7 +6,8 @@
 
 namespace crossgrain::scene {
 
-/// The words of "integrator", "precision" and "contacts", in their order; empty for any other key.
+/// The words of a choice of [scene] for grains ("integrator", "precision", "contacts"), in their
+/// order; empty for any other key.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& key);
 
 }  // namespace crossgrain::scene

@@ -1,37 +1,34 @@
 #include "cases/scene/friction_file.hpp"
 
-#include "cases/scene/exclusive_keys.hpp"
-
 #include <fmt/format.h>
 
-#include <array>
 #include <vector>
 
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::ChoiceRule;
+using toml_input::KeyedTable;
+using toml_input::NumberRule;
+using toml_input::OneOf;
 using toml_input::Range;
-using toml_input::TomlTable;
+using toml_input::TableRule;
 
-const std::array<std::string, 2> force_words{"spring", "dashpot"};
-const std::array<std::string, 2> lever_words{"radius", "contact-point"};
-const std::array<std::string, 3> rotation_words{"project", "project-and-rescale", "rotate"};
-const std::array<std::string, 2> limit_words{"total", "spring-only"};
 const std::vector<std::string> convention_names{"lammps-granular", "lammps-hooke-history",
                                                 "liggghts", "yade", "own"};
 
-double spring_stiffness(const TomlTable& t, double normal_stiffness) {
-    if (exactly_one(t, {"stiffness", "stiffness_ratio"}) == "stiffness") {
-        return t.number("stiffness", Range::positive());
+double spring_stiffness(const KeyedTable& t, double normal_stiffness) {
+    if (t.exactly_one("stiffness") == "stiffness") {
+        return t.number("stiffness");
     }
-    return t.number("stiffness_ratio", Range::positive()) * normal_stiffness;
+    return t.number("stiffness_ratio") * normal_stiffness;
 }
 
-void read_force(const TomlTable& t, double normal_stiffness, Friction& friction) {
-    friction.force = static_cast<TangentialForce>(t.choice("force", force_words));
+void read_force(const KeyedTable& t, double normal_stiffness, Friction& friction) {
+    friction.force = static_cast<TangentialForce>(t.choice("force"));
     if (friction.force == TangentialForce::spring) {
         friction.stiffness = spring_stiffness(t, normal_stiffness);
-        friction.damping = t.optional_number("damping", Range::not_negative()).value_or(0);
+        friction.damping = t.optional_number("damping").value_or(0);
         return;
     }
     for (const char* key : {"stiffness", "stiffness_ratio"}) {
@@ -39,32 +36,72 @@ void read_force(const TomlTable& t, double normal_stiffness, Friction& friction)
         throw t.error(key, "contradicts", "force = \"dashpot\"", "no stiffness without a spring",
                       "remove it, or use force = \"spring\"");
     }
-    friction.damping = t.number("damping", Range::positive());
+    friction.damping = t.number("damping");
+    if (friction.damping == 0) {
+        throw t.error("damping", "is out of range", "0", Range::positive().text,
+                      "a dashpot alone needs one");
+    }
 }
 
-FrictionConventions read_choices(const TomlTable& t) {
+const toml_input::TableKeys& conventions_keys() {
+    using enum toml_input::Need;
+    static const ChoiceRule lever{{"radius", "contact-point"}};
+    static const toml_input::TableKeys keys{
+        .name = "friction.conventions",
+        .keys = {{"velocity_lever", lever, "arm of a spin in the relative velocity", required},
+                 {"torque_lever", lever, "arm of the tangential force in the torque", required},
+                 {"rotation", ChoiceRule{{"project", "project-and-rescale", "rotate"}},
+                  "how the tangential spring turns with the contact", required},
+                 {"limit", ChoiceRule{{"total", "spring-only"}},
+                  "what the Coulomb limit is applied to", required}}};
+    return keys;
+}
+
+FrictionConventions read_choices(const KeyedTable& t) {
     const FrictionConventions conventions{
-        .velocity_lever = static_cast<Lever>(t.choice("velocity_lever", lever_words)),
-        .torque_lever = static_cast<Lever>(t.choice("torque_lever", lever_words)),
-        .rotation = static_cast<SpringRotation>(t.choice("rotation", rotation_words)),
-        .limit = static_cast<CoulombLimit>(t.choice("limit", limit_words))};
+        .velocity_lever = static_cast<Lever>(t.choice("velocity_lever")),
+        .torque_lever = static_cast<Lever>(t.choice("torque_lever")),
+        .rotation = static_cast<SpringRotation>(t.choice("rotation")),
+        .limit = static_cast<CoulombLimit>(t.choice("limit"))};
     t.reject_unknown_keys();
     return conventions;
 }
 
 /// A code's conventions by name, all four in a table, or nothing when each code takes its own.
-std::optional<FrictionConventions> read_conventions(const TomlTable& t) {
+std::optional<FrictionConventions> read_conventions(const KeyedTable& t) {
     if (t.is_table("conventions")) return read_choices(t.table("conventions"));
-    return conventions_named(convention_names[t.choice("conventions", convention_names)]);
+    return conventions_named(convention_names[t.choice("conventions")]);
 }
 
 }  // namespace
 
-Friction read_friction(const TomlTable& t, double normal_stiffness) {
+const toml_input::TableKeys& friction_keys() {
+    using enum toml_input::Need;
+    static const toml_input::TableKeys keys{
+        .name = "friction",
+        .keys = {{"force", ChoiceRule{{"spring", "dashpot"}},
+                  "tangential force before the Coulomb limit", required},
+                 {"coefficient", NumberRule{Range::not_negative()},
+                  "mu: the tangential force is at most mu times the normal one", required},
+                 {"stiffness", NumberRule{Range::positive()}, "k_t of the tangential spring"},
+                 {"stiffness_ratio", NumberRule{Range::positive()}, "k_t/k_n of that spring"},
+                 {"damping", NumberRule{Range::not_negative()},
+                  "of the tangential dashpot; default 0 beside a spring"},
+                 {"inertia_factor", NumberRule{Range::left_open(0, 1)},
+                  "I = inertia_factor m r^2: 0.5 a disc, 0.4 a sphere", required},
+                 {"conventions",
+                  {ChoiceRule{convention_names}, TableRule{conventions_keys}},
+                  "how a contact is followed from step to step",
+                  required}},
+        .groups = {OneOf{{"stiffness", "stiffness_ratio"}, false}}};
+    return keys;
+}
+
+Friction read_friction(const KeyedTable& t, double normal_stiffness) {
     Friction friction;
     read_force(t, normal_stiffness, friction);
-    friction.coefficient = t.number("coefficient", Range::not_negative());
-    friction.inertia_factor = t.number("inertia_factor", Range::left_open(0, 1));
+    friction.coefficient = t.number("coefficient");
+    friction.inertia_factor = t.number("inertia_factor");
     friction.conventions = read_conventions(t);
     t.reject_unknown_keys();
     return friction;

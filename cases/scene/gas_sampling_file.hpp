@@ -2,12 +2,16 @@
 #pragma once
 
 #include "cases/scene/gas_sampling.hpp"
-#include "cases/toml/toml_table.hpp"
+#include "cases/toml/keyed_table.hpp"
+
+#include <vector>
 
 namespace crossgrain::scene {
 
-/// Keys length, width and sample = { bin, replicas, burn_in, steps, every, fields } of [scene].
+/// length, width and sample of [scene].
+[[nodiscard]] std::vector<toml_input::Key> gas_sampling_keys();
+
 /// `periodic` is left to the caller. Throws CaseError.
-[[nodiscard]] GasSampling read_gas_sampling(const toml_input::TomlTable& scene);
+[[nodiscard]] GasSampling read_gas_sampling(const toml_input::KeyedTable& scene);
 
 }  // namespace crossgrain::scene

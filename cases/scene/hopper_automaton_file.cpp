@@ -5,21 +5,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::ChoiceRule;
+using toml_input::IntegerRule;
+using toml_input::KeyedTable;
+using toml_input::NumberRule;
+using toml_input::NumbersRule;
 using toml_input::Range;
-using toml_input::TomlTable;
+using toml_input::TableKeys;
+using enum toml_input::Need;
 
-const std::array<std::string, 2> sweep_words{"bottom-to-top", "top-to-bottom"};
-const std::array<std::string, 2> rows_words{"half-levels", "zigzag"};
-const std::array<std::string, 2> inertia_words{"source-orientation", "literal"};
-const std::array<std::string, 2> random_words{"per-site", "shared-stream"};
-const std::array<std::string, 2> engine_words{"fast", "plain"};
+constexpr std::int64_t largest_count = 1'000'000, most_iterations = 1'000'000'000;
 
 /// The reading that reproduces the paper, and those that do not, each with one choice changed.
 std::vector<HopperReading> named_readings() {
@@ -31,16 +32,12 @@ std::vector<HopperReading> named_readings() {
             {.name = "strict-ties", .tie_tolerance = 1e-9}};
 }
 
-HopperReading read_named(const TomlTable& t) {
+HopperReading read_named(const KeyedTable& t) {
     const std::vector<HopperReading> readings = named_readings();
-    if (!t.has("reading")) return readings.front();
-    std::vector<std::string> names;
-    for (const auto& reading : readings)
-        names.push_back(reading.name);
-    return readings[t.choice("reading", names)];
+    return t.has("reading") ? readings[t.choice("reading")] : readings.front();
 }
 
-HopperReading read_reading(const TomlTable& t) {
+HopperReading read_reading(const KeyedTable& t) {
     HopperReading reading = read_named(t);
     bool changed = false;
     const auto given = [&](const char* key) {
@@ -48,14 +45,14 @@ HopperReading read_reading(const TomlTable& t) {
         changed = changed || here;
         return here;
     };
-    if (given("sweep")) reading.sweep = static_cast<HopperSweep>(t.choice("sweep", sweep_words));
-    if (given("rows")) reading.rows = static_cast<HopperRows>(t.choice("rows", rows_words));
+    if (given("sweep")) reading.sweep = static_cast<HopperSweep>(t.choice("sweep"));
+    if (given("rows")) reading.rows = static_cast<HopperRows>(t.choice("rows"));
     if (given("inertia")) {
-        reading.inertia = static_cast<HopperInertia>(t.choice("inertia", inertia_words));
+        reading.inertia = static_cast<HopperInertia>(t.choice("inertia"));
     }
     if (given("rotation")) reading.rotation = t.boolean("rotation");
     if (given("tie_tolerance")) {
-        reading.tie_tolerance = t.number("tie_tolerance", Range::not_negative());
+        reading.tie_tolerance = t.number("tie_tolerance");
     }
     if (changed) reading.name += ", changed";
     return reading;
@@ -66,11 +63,20 @@ Range angle_range() {
     return {0, std::nextafter(180.0, 0.0), true, "an angle in (0, 180) degrees"};
 }
 
-std::vector<double> read_angle_sweep(const TomlTable& t) {
+const TableKeys& angle_sweep_keys() {
+    static const TableKeys keys{
+        .name = "angles",
+        .keys = {{"from", NumberRule{angle_range()}, "degrees", required},
+                 {"to", NumberRule{angle_range()}, "degrees, included", required},
+                 {"step", NumberRule{Range::positive()}, "degrees", required}}};
+    return keys;
+}
+
+std::vector<double> read_angle_sweep(const KeyedTable& t) {
     constexpr double most = 100'000;
-    const double from = t.number("from", angle_range());
-    const double to = t.number("to", angle_range());
-    const double step = t.number("step", Range::positive());
+    const double from = t.number("from");
+    const double to = t.number("to");
+    const double step = t.number("step");
     t.reject_unknown_keys();
     if (to < from) {
         throw t.error("to", "is below 'from'", fmt::format("{:g}", to),
@@ -88,33 +94,24 @@ std::vector<double> read_angle_sweep(const TomlTable& t) {
     return angles;
 }
 
-std::vector<double> read_angles(const TomlTable& t) {
-    if (t.has("slope")) {
-        if (t.has("angles")) {
-            throw t.error("slope", "contradicts", "'scene.angles' as well", "one of the two",
-                          "remove one");
-        }
-        const double slope = t.number("slope", Range::positive());
+std::vector<double> read_angles(const KeyedTable& t) {
+    if (t.exactly_one("angles") == "slope") {
+        const double slope = t.number("slope");
         return {2 * std::atan(1 / slope) * 180 / std::numbers::pi};
     }
-    if (!t.has("angles")) {
-        throw t.missing("angles", "full opening angles in degrees, or 'slope' of the walls");
-    }
-    return t.is_table("angles") ? read_angle_sweep(t.table("angles"))
-                                : t.numbers("angles", angle_range());
+    return t.is_table("angles") ? read_angle_sweep(t.table("angles")) : t.numbers("angles");
 }
 
-int read_count(const TomlTable& t, const char* key, std::int64_t least, std::int64_t most) {
-    return static_cast<int>(t.integer(key, least, most));
+int read_count(const KeyedTable& t, const char* key) {
+    return static_cast<int>(t.integer(key));
 }
 
-int optional_count(const TomlTable& t, const char* key, std::int64_t least, std::int64_t most,
-                   int standard) {
-    return t.has(key) ? read_count(t, key, least, most) : standard;
+int optional_count(const KeyedTable& t, const char* key, int standard) {
+    return t.has(key) ? read_count(t, key) : standard;
 }
 
 /// A level k has N - 1 + k tan(theta/2)/sqrt(3) sites, more or less one.
-void check_size(const TomlTable& t, const HopperAutomaton& scene) {
+void check_size(const KeyedTable& t, const HopperAutomaton& scene) {
     constexpr double most = 1e8;  // a few bytes each, in a run and its twin
     for (const double angle : scene.angles) {
         const double levels = scene.levels;
@@ -131,7 +128,7 @@ void check_size(const TomlTable& t, const HopperAutomaton& scene) {
 
 /// Each run (an angle's replica) has random numbers of its own, counted in 32 bits, and keeps what
 /// left it in every iteration; what is measured keeps some numbers of every frame.
-void check_runs(const TomlTable& t, const HopperAutomaton& scene) {
+void check_runs(const KeyedTable& t, const HopperAutomaton& scene) {
     const double runs = static_cast<double>(scene.angles.size()) * scene.replicas;
     const double flow = 8.0 * static_cast<double>(scene.iterations);
     const double frames =
@@ -159,7 +156,7 @@ double largest_difference(const HopperAutomaton& s) {
     return std::max(5 * s.c_d, 4 * s.c_d + s.c_w) + 2 * s.c_o + 2 * s.c_i;
 }
 
-void check_tie_tolerance(const TomlTable& t, const HopperAutomaton& scene) {
+void check_tie_tolerance(const KeyedTable& t, const HopperAutomaton& scene) {
     const double largest = largest_difference(scene);
     // Without any energy all candidates are equal whatever the tolerance: the model's null case.
     if (largest == 0 || scene.reading.tie_tolerance < largest) return;
@@ -170,10 +167,9 @@ void check_tie_tolerance(const TomlTable& t, const HopperAutomaton& scene) {
                               largest));
 }
 
-void read_schedule(const TomlTable& t, HopperAutomaton& scene) {
-    constexpr std::int64_t most = 1'000'000'000;
-    scene.iterations = read_count(t, "iterations", 1, most);
-    scene.every = t.has("every") ? t.integer("every", 1) : scene.iterations;
+void read_schedule(const KeyedTable& t, HopperAutomaton& scene) {
+    scene.iterations = read_count(t, "iterations");
+    scene.every = t.has("every") ? t.integer("every") : scene.iterations;
     if (scene.every > scene.iterations) {
         throw t.error("every", "is longer than the run", fmt::format("{}", scene.every),
                       fmt::format("at most {} iterations", scene.iterations));
@@ -182,25 +178,62 @@ void read_schedule(const TomlTable& t, HopperAutomaton& scene) {
 
 }  // namespace
 
-HopperAutomaton read_hopper_automaton(const TomlTable& t, const SceneSelection& selection) {
-    constexpr std::int64_t most = 1'000'000;
+const TableKeys& hopper_automaton_keys() {
+    static const NumberRule coefficient{Range::not_negative()};
+    static const TableKeys keys = [] {
+        std::vector<std::string> readings;
+        for (const auto& reading : named_readings())
+            readings.push_back(reading.name);
+        return TableKeys{
+            .name = "scene",
+            .keys =
+                {{"outlet", IntegerRule{2, largest_count}, "N in sites", required},
+                 {"levels", IntegerRule{1, largest_count}, "L", required},
+                 {"angles",
+                  {NumbersRule{angle_range()}, toml_input::TableRule{angle_sweep_keys}},
+                  "full opening angles in degrees"},
+                 {"slope", NumberRule{Range::positive()}, "of the walls: tan(theta/2) = 1/slope"},
+                 {"c_d", coefficient, "C_D, of density", required},
+                 {"c_o", coefficient, "C_O, of orientation", required},
+                 {"c_i", coefficient, "C_I, of inertia", required},
+                 {"c_w", coefficient, "C_W, of walls", required},
+                 {"iterations", IntegerRule{1, most_iterations}, "of the run", required},
+                 {"every", IntegerRule{1}, "iterations between frames; left out: all of them"},
+                 {"replicas", IntegerRule{1, largest_count}, "per angle, default 1"},
+                 {"flipped", IntegerRule{0, largest_count}, "nodes flipped in a twin, default 0"},
+                 {"random", ChoiceRule{{"per-site", "shared-stream"}}, "default \"per-site\""},
+                 {"engine", ChoiceRule{{"fast", "plain"}}, "default \"fast\"; the same bits"},
+                 {"reading", ChoiceRule{readings}, "of the rules, default \"standard\""},
+                 {"sweep", ChoiceRule{{"bottom-to-top", "top-to-bottom"}}, "order of the levels"},
+                 {"rows", ChoiceRule{{"half-levels", "zigzag"}}, "which sites make a row"},
+                 {"inertia", ChoiceRule{{"source-orientation", "literal"}}, "reading of inertia"},
+                 {"rotation", toml_input::BooleanRule{}, "whether grains turn"},
+                 {"tie_tolerance", coefficient, "energies closer than this are equal"}},
+            .groups = {toml_input::OneOf{{"angles", "slope"}}}};
+    }();
+    return keys;
+}
+
+HopperAutomaton read_hopper_automaton(const toml_input::TomlTable& table,
+                                      const SceneSelection& selection) {
+    const KeyedTable t(table, hopper_automaton_keys());
     HopperAutomaton scene{.name = selection.name, .seed = selection.seed};
     scene.reading = read_reading(t);
-    scene.outlet = read_count(t, "outlet", 2, most);
-    scene.levels = read_count(t, "levels", 1, most);
+    scene.outlet = read_count(t, "outlet");
+    scene.levels = read_count(t, "levels");
     scene.angles = read_angles(t);
-    scene.c_d = t.number("c_d", Range::not_negative());
-    scene.c_o = t.number("c_o", Range::not_negative());
-    scene.c_i = t.number("c_i", Range::not_negative());
-    scene.c_w = t.number("c_w", Range::not_negative());
+    scene.c_d = t.number("c_d");
+    scene.c_o = t.number("c_o");
+    scene.c_i = t.number("c_i");
+    scene.c_w = t.number("c_w");
     read_schedule(t, scene);
-    scene.replicas = optional_count(t, "replicas", 1, most, 1);
-    scene.flipped = optional_count(t, "flipped", 0, most, 0);
+    scene.replicas = optional_count(t, "replicas", 1);
+    scene.flipped = optional_count(t, "flipped", 0);
     if (t.has("random")) {
-        scene.random = static_cast<HopperRandom>(t.choice("random", random_words));
+        scene.random = static_cast<HopperRandom>(t.choice("random"));
     }
     if (t.has("engine")) {
-        scene.engine = static_cast<HopperEngine>(t.choice("engine", engine_words));
+        scene.engine = static_cast<HopperEngine>(t.choice("engine"));
     }
     t.reject_unknown_keys();
     check_size(t, scene);

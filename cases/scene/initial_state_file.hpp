@@ -2,11 +2,13 @@
 #pragma once
 
 #include "cases/scene/initial_state.hpp"
-#include "cases/toml/toml_table.hpp"
+#include "cases/toml/keyed_table.hpp"
 
 namespace crossgrain::scene {
 
+[[nodiscard]] const toml_input::TableKeys& initial_keys();
+
 /// Throws CaseError.
-[[nodiscard]] InitialStateRecipe read_initial_state(const toml_input::TomlTable& initial);
+[[nodiscard]] InitialStateRecipe read_initial_state(const toml_input::KeyedTable& initial);
 
 }  // namespace crossgrain::scene

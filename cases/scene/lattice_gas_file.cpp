@@ -7,19 +7,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::ChoiceRule;
+using toml_input::KeyedTable;
+using toml_input::NumberRule;
 using toml_input::Range;
-using toml_input::TomlTable;
-
-const std::array<std::string, 2> end_words{"periodic", "open"};
-const std::array<std::string, 2> saturation_words{"fail", "record"};
-const std::array<std::string, 2> engine_words{"bit-sliced", "table"};
 
 std::vector<std::string> shipped_readings(const std::filesystem::path& directory) {
     std::vector<std::string> names;
@@ -32,7 +29,7 @@ std::vector<std::string> shipped_readings(const std::filesystem::path& directory
 }
 
 /// The file of a reading: a path relative to the case file, or a name of the shipped ones.
-std::string reading_file(const TomlTable& t, const std::string& readings) {
+std::string reading_file(const KeyedTable& t, const std::string& readings) {
     namespace fs = std::filesystem;
     const std::string given = t.text("reading");
     fs::path path;
@@ -57,7 +54,7 @@ Range fraction() {
     return {.low = 0, .high = 1, .low_open = false, .text = "a number in [0, 1]"};
 }
 
-void refuse_without(const TomlTable& t, const char* key, const char* of, const char* ends) {
+void refuse_without(const KeyedTable& t, const char* key, const char* of, const char* ends) {
     if (!t.has(key)) return;
     throw t.error(key, "contradicts", fmt::format("ends = \"{}\" as well", ends),
                   fmt::format("'{}' with {} pipes only", key, of), "remove one");
@@ -65,7 +62,7 @@ void refuse_without(const TomlTable& t, const char* key, const char* of, const c
 
 /// Seven particles at a site of the interior, and two that arrive at a wall site: wall columns
 /// inside the width W leave less room than the rho <= 7 of the paper's model.
-void check_capacity(const TomlTable& t, const LatticeGas& gas) {
+void check_capacity(const KeyedTable& t, const LatticeGas& gas) {
     const int interior = gas.sampling.width - (gas.reading.walls == WallPlace::inside ? 2 : 0);
     const double most = (7.0 * interior + 4.0) / gas.sampling.width;
     if (gas.density <= most) return;
@@ -85,7 +82,7 @@ double memory_of(const LatticeGas& gas) {
     return sites * (states + 2 * 56);
 }
 
-void check_memory(const TomlTable& t, const LatticeGas& gas) {
+void check_memory(const KeyedTable& t, const LatticeGas& gas) {
     const double bytes = memory_of(gas);
     if (bytes <= memory_budget()) return;
     throw t.error("length", "makes too large a pipe",
@@ -96,9 +93,9 @@ void check_memory(const TomlTable& t, const LatticeGas& gas) {
 }
 
 /// A periodic pipe is filled, an open one starts empty and is fed.
-void read_filling(const TomlTable& t, LatticeGas& gas) {
+void read_filling(const KeyedTable& t, LatticeGas& gas) {
     if (gas.ends == PipeEnds::periodic) {
-        gas.density = t.number("density", Range::left_open(0, 7));
+        gas.density = t.number("density");
         check_capacity(t, gas);
         const double particles = gas.density * gas.sampling.length * gas.sampling.width;
         if (std::round(particles) < 1) {
@@ -110,29 +107,58 @@ void read_filling(const TomlTable& t, LatticeGas& gas) {
         }
         refuse_without(t, "injection", "open", "periodic");
     } else {
-        gas.injection = t.number("injection", fraction());
+        gas.injection = t.number("injection");
         refuse_without(t, "density", "periodic", "open");
     }
 }
 
 }  // namespace
 
-LatticeGas read_lattice_gas(const TomlTable& t, const SceneSelection& selection) {
+const toml_input::TableKeys& lattice_gas_keys() {
+    using enum toml_input::Need;
+    static const toml_input::TableKeys keys = [] {
+        toml_input::TableKeys scene{
+            .name = "scene",
+            .keys = {{"reading", toml_input::TextRule{},
+                      "of the rules: one that is shipped, or the path of a file", required},
+                     {"ends", ChoiceRule{{"periodic", "open"}}, "of the pipe", required},
+                     {"density", NumberRule{Range::left_open(0, 7)},
+                      "rho of a periodic pipe, particles per site"},
+                     {"injection", NumberRule{fraction()}, "I of an open pipe"},
+                     {"dissipation", NumberRule{fraction()}, "p", required},
+                     {"gravity", NumberRule{fraction()}, "g", required},
+                     {"roughness", NumberRule{fraction()}, "b of the walls", required},
+                     {"engine", ChoiceRule{{"bit-sliced", "table"}},
+                      "default \"bit-sliced\"; the same bits"},
+                     {"word_bits", toml_input::IntegerRule{1, 512},
+                      "of the bit-sliced engine; left out: the best for the replicas"},
+                     {"on_saturation", ChoiceRule{{"fail", "record"}},
+                      "when rest particles exceed the free sites; default \"fail\""}},
+            .groups = {toml_input::OneOf{{"density", "injection"}}}};
+        for (auto& key : gas_sampling_keys())
+            scene.keys.push_back(std::move(key));
+        return scene;
+    }();
+    return keys;
+}
+
+LatticeGas read_lattice_gas(const toml_input::TomlTable& table, const SceneSelection& selection) {
+    const KeyedTable t(table, lattice_gas_keys());
     LatticeGas gas;
     gas.name = selection.name;
     gas.seed = selection.seed;
     gas.reading = load_gas_reading(reading_file(t, selection.readings));
     gas.sampling = read_gas_sampling(t);
-    gas.ends = static_cast<PipeEnds>(t.choice("ends", end_words));
+    gas.ends = static_cast<PipeEnds>(t.choice("ends"));
     gas.sampling.periodic = gas.ends == PipeEnds::periodic;
     read_filling(t, gas);
-    gas.dissipation = t.number("dissipation", fraction());
-    gas.gravity = t.number("gravity", fraction());
-    gas.roughness = t.number("roughness", fraction());
-    if (t.has("engine")) gas.engine = static_cast<GasEngine>(t.choice("engine", engine_words));
-    if (t.has("word_bits")) gas.word_bits = static_cast<int>(t.integer("word_bits", 1, 512));
+    gas.dissipation = t.number("dissipation");
+    gas.gravity = t.number("gravity");
+    gas.roughness = t.number("roughness");
+    if (t.has("engine")) gas.engine = static_cast<GasEngine>(t.choice("engine"));
+    if (t.has("word_bits")) gas.word_bits = static_cast<int>(t.integer("word_bits"));
     if (t.has("on_saturation")) {
-        gas.on_saturation = static_cast<OnSaturation>(t.choice("on_saturation", saturation_words));
+        gas.on_saturation = static_cast<OnSaturation>(t.choice("on_saturation"));
     }
     t.reject_unknown_keys();
     check_memory(t, gas);

@@ -5,9 +5,13 @@
 #include "cases/scene/lattice_gas.hpp"
 #include "cases/scene/scene_file.hpp"
 #include "cases/scene/synthetic_signal.hpp"
-#include "cases/toml/toml_table.hpp"
+#include "cases/toml/keyed_table.hpp"
 
 namespace crossgrain::scene {
+
+[[nodiscard]] const toml_input::TableKeys& lattice_gas_keys();
+[[nodiscard]] const toml_input::TableKeys& hopper_automaton_keys();
+[[nodiscard]] const toml_input::TableKeys& synthetic_signal_keys();
 
 // Each reads, checks and resolves the table; throws CaseError for anything unknown, missing, of the
 // wrong type, out of range or contradictory.

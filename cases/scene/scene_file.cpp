@@ -1,13 +1,12 @@
 #include "cases/scene/scene_file.hpp"
 
 #include "cases/scene/contact_file.hpp"
-#include "cases/scene/exclusive_keys.hpp"
 #include "cases/scene/initial_state_file.hpp"
 #include "cases/scene/limits.hpp"
+#include "cases/scene/plates_file.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -16,42 +15,69 @@
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::ChoiceRule;
+using toml_input::KeyedTable;
+using toml_input::NumberRule;
+using toml_input::NumbersRule;
+using toml_input::OneOf;
 using toml_input::Range;
-using toml_input::TomlTable;
+using toml_input::TableKeys;
+using toml_input::TableRule;
+using enum toml_input::Need;
 
-const std::array<std::string, 2> touch_words{"centre", "surface"};
-const std::array<std::string, 8> integrator_words{
-    "verlet-half-step", "verlet-predicted", "leapfrog-crank-nicolson", "semi-implicit-euler",
-    "explicit-euler",   "runge-kutta-4",    "taguchi-euler",           "taguchi-adaptive-euler"};
-const std::array<std::string, 2> contacts_words{"neighbour-list", "lattice-neighbours"};
-const std::array<std::string, 2> precision_words{"double", "mixed"};
-
-Grains read_grains(const TomlTable& t) {
-    return {.diameter = t.number("diameter", Range::positive()),
-            .mass = t.number("mass", Range::positive())};
+const TableKeys& grains_keys() {
+    static const TableKeys keys{
+        .name = "grains",
+        .keys = {{"diameter", NumberRule{Range::positive()}, "nominal diameter d", required},
+                 {"mass", NumberRule{Range::positive()}, "of a grain of that diameter", required},
+                 {"diameter_spread",
+                  NumberRule{{.low = 0,
+                              .high = std::nextafter(1.0, 0.0),
+                              .text = "a number in [0, 1): 0.05 is 5 % to either side"}},
+                  "share by which diameters differ to either side, default 0"},
+                 {"mass_exponent", NumberRule{Range::not_negative()},
+                  "masses grow with this power of the diameter"}}};
+    return keys;
 }
 
-SizeSpread read_sizes(const TomlTable& t) {
+const TableKeys& backing_keys() {
+    static const TableKeys keys{
+        .name = "backing",
+        .keys = {{"stiffness", NumberRule{Range::positive()}, "left out: the contact's"},
+                 {"left", NumberRule{Range::any()}, "x of the left plane", required},
+                 {"right", NumberRule{Range::any()}, "x of the right plane, > left", required}}};
+    return keys;
+}
+
+const TableKeys& frames_keys() {
+    static const TableKeys keys{
+        .name = "frames",
+        .keys = {{"every_time", NumberRule{Range::positive()}, "time between frames"},
+                 {"every_contact_times", NumberRule{Range::positive()},
+                  "the same in contact times"},
+                 {"every_steps", toml_input::IntegerRule{1}, "the same in time steps"},
+                 {"first_and_last", toml_input::BooleanRule{}, "only these two frames"}},
+        .groups = {OneOf{{"every_time", "every_contact_times", "every_steps"}, false}}};
+    return keys;
+}
+
+Grains read_grains(const KeyedTable& t) {
+    return {.diameter = t.number("diameter"), .mass = t.number("mass")};
+}
+
+SizeSpread read_sizes(const KeyedTable& t) {
     SizeSpread sizes;
-    if (const auto spread = t.optional_number("diameter_spread", Range::not_negative())) {
-        if (*spread >= 1) {
-            throw t.error("diameter_spread", "is out of range", fmt::format("{:g}", *spread),
-                          "a number in [0, 1)", "0.05 is 5 % to either side");
-        }
-        sizes.spread = *spread;
-    }
-    if (const auto exponent = t.optional_number("mass_exponent", Range::not_negative())) {
-        sizes.mass_exponent = *exponent;
-    }
+    sizes.spread = t.optional_number("diameter_spread").value_or(sizes.spread);
+    sizes.mass_exponent = t.optional_number("mass_exponent").value_or(sizes.mass_exponent);
     t.reject_unknown_keys();
     return sizes;
 }
 
-BackingPlanes read_backing(const TomlTable& t, double contact_stiffness) {
-    const BackingPlanes planes{
-        .stiffness = t.optional_number("stiffness", Range::positive()).value_or(contact_stiffness),
-        .left = t.number("left", Range::any()),
-        .right = t.number("right", Range::any())};
+BackingPlanes read_backing(const KeyedTable& t, double contact_stiffness) {
+    const BackingPlanes planes{.stiffness =
+                                   t.optional_number("stiffness").value_or(contact_stiffness),
+                               .left = t.number("left"),
+                               .right = t.number("right")};
     if (planes.left >= planes.right) {
         throw t.error("right", "is out of range", fmt::format("{:g}", planes.right),
                       fmt::format("a number > left = {:g}", planes.left));
@@ -60,42 +86,9 @@ BackingPlanes read_backing(const TomlTable& t, double contact_stiffness) {
     return planes;
 }
 
-PrescribedPlate read_prescribed_plate(const TomlTable& t) {
-    const PrescribedPlate plate{
-        .height = t.number("height", Range::any()),
-        .amplitude = t.optional_number("amplitude", Range::not_negative()).value_or(0),
-        .period = t.optional_number("period", Range::positive()).value_or(1),
-        .phase = t.optional_number("phase", Range::any()).value_or(0)};
-    if (plate.amplitude > 0 && !t.has("period")) {
-        throw t.missing("period", "the period of the plate's motion");
-    }
-    t.reject_unknown_keys();
-    return plate;
-}
-
-Lid read_lid(const TomlTable& t) {
-    if (!t.has("mass")) return read_prescribed_plate(t);
-    const FreeLid lid{.mass = t.number("mass", Range::positive()),
-                      .height = t.optional_number("height", Range::any()).value_or(0),
-                      .velocity = t.optional_number("velocity", Range::any()).value_or(0)};
-    t.reject_unknown_keys();
-    return lid;
-}
-
-Plates read_plates(const TomlTable& t, double contact_stiffness) {
-    Plates plates;
-    plates.touches = static_cast<PlateContact>(t.choice("touch", touch_words));
-    plates.stiffness =
-        t.optional_number("stiffness", Range::positive()).value_or(contact_stiffness);
-    if (t.has("bottom")) plates.bottom = read_prescribed_plate(t.table("bottom"));
-    if (t.has("lid")) plates.lid = read_lid(t.table("lid"));
-    t.reject_unknown_keys();
-    return plates;
-}
-
 /// Gamma = b omega_0^2/g: the bottom's largest acceleration in units of gravity, in place of its
 /// amplitude b.
-void set_acceleration(const TomlTable& t, double gamma, Scene& scene) {
+void set_acceleration(const KeyedTable& t, double gamma, Scene& scene) {
     if (!scene.plates.bottom || scene.gravity == 0 ||
         !t.table("plates").table("bottom").has("period")) {
         throw t.error("gamma", "needs more", fmt::format("{:g}", gamma),
@@ -110,11 +103,11 @@ void set_acceleration(const TomlTable& t, double gamma, Scene& scene) {
     bottom.amplitude = gamma * scene.gravity / (omega * omega);
 }
 
-std::vector<double> time_steps(const TomlTable& t, double t_col) {
-    if (exactly_one(t, {"dt", "steps_per_contact_time"}) == "dt") {
-        return t.numbers("dt", Range::positive());
+std::vector<double> time_steps(const KeyedTable& t, double t_col) {
+    if (t.exactly_one("dt") == "dt") {
+        return t.numbers("dt");
     }
-    std::vector<double> steps = t.numbers("steps_per_contact_time", Range::positive());
+    std::vector<double> steps = t.numbers("steps_per_contact_time");
     for (double& value : steps)
         value = t_col / value;
     return steps;
@@ -126,15 +119,14 @@ struct Duration {
     double time = 0;
 };
 
-/// Given in contact times or in time units, under one of two keys.
-Duration duration(const TomlTable& t, double t_col, const std::string& in_time,
-                  const std::string& in_contact_times) {
-    const std::string key = exactly_one(t, {in_time, in_contact_times});
-    return {key, t.number(key, Range::positive()) * (key == in_time ? 1.0 : t_col)};
+/// Given in time units, under `in_time`, or in contact times, under the other key of its group.
+Duration duration(const KeyedTable& t, double t_col, const std::string& in_time) {
+    const std::string key = t.exactly_one(in_time);
+    return {key, t.number(key) * (key == in_time ? 1.0 : t_col)};
 }
 
 /// Whole number of steps nearest to a duration; within round-off of a half it does not matter.
-std::int64_t steps_in(const TomlTable& t, const Duration& duration, double dt) {
+std::int64_t steps_in(const KeyedTable& t, const Duration& duration, double dt) {
     const double steps = std::round(duration.time / dt);
     if (!(steps >= 1)) {
         throw t.error(duration.key, "is shorter than a time step",
@@ -147,9 +139,9 @@ std::int64_t steps_in(const TomlTable& t, const Duration& duration, double dt) {
     return static_cast<std::int64_t>(steps);
 }
 
-void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
-    scene.steps = steps_in(t, duration(t, t_col, "time", "contact_times"), scene.dt);
-    const TomlTable frames = t.table("frames");
+void read_schedule(const KeyedTable& t, double t_col, Scene& scene) {
+    scene.steps = steps_in(t, duration(t, t_col, "time"), scene.dt);
+    const KeyedTable frames = t.table("frames");
     if (frames.has("first_and_last") && frames.boolean("first_and_last")) {
         scene.frame_every = scene.steps;
         for (const char* key : {"every_time", "every_contact_times", "every_steps"}) {
@@ -159,13 +151,10 @@ void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
             }
         }
     } else {
-        const std::string key =
-            exactly_one(frames, {"every_time", "every_contact_times", "every_steps"});
-        scene.frame_every =
-            key == "every_steps"
-                ? frames.integer(key, 1)
-                : steps_in(frames, duration(frames, t_col, "every_time", "every_contact_times"),
-                           scene.dt);
+        const std::string key = frames.exactly_one("every_time");
+        scene.frame_every = key == "every_steps"
+                                ? frames.integer(key)
+                                : steps_in(frames, duration(frames, t_col, "every_time"), scene.dt);
         if (scene.frame_every > scene.steps) {
             throw frames.error(key, "is longer than the run",
                                fmt::format("{} steps", scene.frame_every),
@@ -183,7 +172,7 @@ void read_schedule(const TomlTable& t, double t_col, Scene& scene) {
 }
 
 /// No longer than grains may be apart.
-void check_period(const TomlTable& t, const char* key, const std::optional<double>& period,
+void check_period(const KeyedTable& t, const char* key, const std::optional<double>& period,
                   double diameter) {
     const double most = 2 * farthest * diameter;
     if (!period || *period <= most) return;
@@ -192,7 +181,7 @@ void check_period(const TomlTable& t, const char* key, const std::optional<doubl
                   "leave it out for a scene that is open");
 }
 
-void check_consistency(const TomlTable& t, const Scene& scene) {
+void check_consistency(const KeyedTable& t, const Scene& scene) {
     check_period(t, "periodic_x", scene.periodic_x, scene.grains.diameter);
     check_period(t, "periodic_y", scene.periodic_y, scene.grains.diameter);
     const bool has_plate =
@@ -213,39 +202,75 @@ void check_consistency(const TomlTable& t, const Scene& scene) {
 
 }  // namespace
 
-std::size_t ladder_size(const TomlTable& t) {
-    return t.numbers(exactly_one(t, {"dt", "steps_per_contact_time"}), Range::positive()).size();
+const TableKeys& scene_keys() {
+    static const TableKeys keys{
+        .name = "scene",
+        .keys =
+            {{"grains", TableRule{grains_keys}, "sizes and masses", required},
+             {"contact", TableRule{contact_keys}, "forces between grains that touch", required},
+             {"plates", TableRule{plates_keys}, "a bottom and a lid; left out: none"},
+             {"backing", TableRule{backing_keys}, "elastic planes across x; left out: none"},
+             {"gravity", NumberRule{Range::not_negative()}, "along -y", required},
+             {"gamma", NumberRule{Range::positive()},
+              "largest acceleration of the bottom plate in units of gravity, sets its amplitude"},
+             {"drag", NumberRule{Range::not_negative()}, "force -drag v on a grain, default 0"},
+             {"periodic_x", NumberRule{Range::positive()}, "length; left out: open"},
+             {"periodic_y", NumberRule{Range::positive()}, "length; left out: open"},
+             {"integrator",
+              ChoiceRule{{"verlet-half-step", "verlet-predicted", "leapfrog-crank-nicolson",
+                          "semi-implicit-euler", "explicit-euler", "runge-kutta-4", "taguchi-euler",
+                          "taguchi-adaptive-euler"}},
+              "how motion is integrated; foreign codes know \"verlet-half-step\"", required},
+             {"contacts", ChoiceRule{{"neighbour-list", "lattice-neighbours"}},
+              "where contacts are looked for, default \"neighbour-list\""},
+             {"precision", ChoiceRule{{"double", "mixed"}}, "default \"double\""},
+             {"skin", NumberRule{Range::positive()}, "of neighbour lists; left out: chosen"},
+             {"dt", NumbersRule{Range::positive()}, "time step, or a ladder of them"},
+             {"steps_per_contact_time", NumbersRule{Range::positive()},
+              "the same in steps per contact time"},
+             {"time", NumberRule{Range::positive()}, "length of the run"},
+             {"contact_times", NumberRule{Range::positive()}, "the same in contact times"},
+             {"frames", TableRule{frames_keys}, "when the state is looked at", required},
+             {"initial", TableRule{initial_keys}, "where grains start", required}},
+        .groups = {OneOf{{"dt", "steps_per_contact_time"}}, OneOf{{"time", "contact_times"}}}};
+    return keys;
 }
 
-Scene read_scene(const TomlTable& t, const SceneSelection& selection) {
+std::size_t ladder_size(const toml_input::TomlTable& table) {
+    const KeyedTable t(table, scene_keys());
+    return t.numbers(t.exactly_one("dt")).size();
+}
+
+Scene read_scene(const toml_input::TomlTable& table, const SceneSelection& selection) {
+    const KeyedTable t(table, scene_keys());
     Scene scene;
     scene.name = selection.name;
     scene.seed = selection.seed;
-    const TomlTable grains = t.table("grains");
+    const KeyedTable grains = t.table("grains");
     scene.grains = read_grains(grains);
     const SizeSpread sizes = read_sizes(grains);
     scene.contact = read_contact(t.table("contact"), scene.grains.mass);
     if (t.has("plates")) {
         scene.plates = read_plates(t.table("plates"), scene.contact.stiffness);
     }
-    scene.gravity = t.number("gravity", Range::not_negative());
-    if (const auto gamma = t.optional_number("gamma", Range::positive())) {
+    scene.gravity = t.number("gravity");
+    if (const auto gamma = t.optional_number("gamma")) {
         set_acceleration(t, *gamma, scene);
     }
-    scene.drag = t.optional_number("drag", Range::not_negative()).value_or(0);
+    scene.drag = t.optional_number("drag").value_or(0);
     if (t.has("backing")) {
         scene.backing = read_backing(t.table("backing"), scene.contact.stiffness);
     }
-    scene.periodic_x = t.optional_number("periodic_x", Range::positive());
-    scene.periodic_y = t.optional_number("periodic_y", Range::positive());
-    scene.integrator = static_cast<Integrator>(t.choice("integrator", integrator_words));
+    scene.periodic_x = t.optional_number("periodic_x");
+    scene.periodic_y = t.optional_number("periodic_y");
+    scene.integrator = static_cast<Integrator>(t.choice("integrator"));
     if (t.has("contacts")) {
-        scene.contacts = static_cast<Contacts>(t.choice("contacts", contacts_words));
+        scene.contacts = static_cast<Contacts>(t.choice("contacts"));
     }
     if (t.has("precision")) {
-        scene.precision = static_cast<Precision>(t.choice("precision", precision_words));
+        scene.precision = static_cast<Precision>(t.choice("precision"));
     }
-    scene.skin = t.optional_number("skin", Range::positive());
+    scene.skin = t.optional_number("skin");
     check_consistency(t, scene);
     const double t_col = contact_time(scene);
     scene.dt = time_steps(t, t_col).at(selection.rung);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cases/scene/scene.hpp"
-#include "cases/toml/toml_table.hpp"
+#include "cases/toml/keyed_table.hpp"
 
 #include <cstdint>
 #include <string>
@@ -17,6 +17,9 @@ struct SceneSelection {
     std::uint64_t seed = 1;     ///< of the initial state
     std::string readings = {};  ///< directory of the shipped readings of the models' rules
 };
+
+/// The keys of [scene] of a case of grains.
+[[nodiscard]] const toml_input::TableKeys& scene_keys();
 
 /// Number of time steps listed in `dt` or `steps_per_contact_time` (the rungs of a ladder), >= 1.
 [[nodiscard]] std::size_t ladder_size(const toml_input::TomlTable& scene);

@@ -8,11 +8,12 @@
 namespace crossgrain::scene {
 namespace {
 
+using toml_input::KeyedTable;
+using toml_input::NumberRule;
 using toml_input::Range;
-using toml_input::TomlTable;
 
 /// Counts are whole, not negative and fit 16 bits: six standard deviations of the noise must.
-void check_counts(const TomlTable& t, const SyntheticSignal& signal) {
+void check_counts(const KeyedTable& t, const SyntheticSignal& signal) {
     const double swing = 6 * signal.noise + signal.wave_amplitude;
     constexpr double most = std::numeric_limits<std::uint16_t>::max();
     if (signal.mean - swing >= 0 && signal.mean + swing <= most) return;
@@ -24,7 +25,30 @@ void check_counts(const TomlTable& t, const SyntheticSignal& signal) {
 
 }  // namespace
 
-SyntheticSignal read_synthetic_signal(const TomlTable& t, const SceneSelection& selection) {
+const toml_input::TableKeys& synthetic_signal_keys() {
+    using enum toml_input::Need;
+    static const toml_input::TableKeys keys = [] {
+        toml_input::TableKeys scene{
+            .name = "scene",
+            .keys = {
+                {"mean", NumberRule{Range::positive()}, "count of a bin", required},
+                {"noise", NumberRule{Range::positive()}, "standard deviation of a count", required},
+                {"exponent", NumberRule{{.low = 0, .high = 2, .text = "a number in [0, 2]"}},
+                 "alpha of 1/f^alpha", required},
+                {"wave_amplitude", NumberRule{Range::not_negative()}, "default 0"},
+                {"wave_velocity", NumberRule{Range::any()}, "sites per step, default 0"},
+                {"wave_number", toml_input::IntegerRule{1},
+                 "wave lengths in the pipe, at most half the number of bins"}}};
+        for (auto& key : gas_sampling_keys())
+            scene.keys.push_back(std::move(key));
+        return scene;
+    }();
+    return keys;
+}
+
+SyntheticSignal read_synthetic_signal(const toml_input::TomlTable& table,
+                                      const SceneSelection& selection) {
+    const KeyedTable t(table, synthetic_signal_keys());
     SyntheticSignal signal;
     signal.name = selection.name;
     signal.seed = selection.seed;
@@ -34,14 +58,13 @@ SyntheticSignal read_synthetic_signal(const TomlTable& t, const SceneSelection& 
         throw t.error("sample", "asks for fields a signal does not have", "",
                       "fields = [\"count\"]");
     }
-    signal.mean = t.number("mean", Range::positive());
-    signal.noise = t.number("noise", Range::positive());
-    signal.exponent = t.number(
-        "exponent", {.low = 0, .high = 2, .low_open = false, .text = "a number in [0, 2]"});
-    signal.wave_amplitude = t.optional_number("wave_amplitude", Range::not_negative()).value_or(0);
-    signal.wave_velocity = t.optional_number("wave_velocity", Range::any()).value_or(0);
+    signal.mean = t.number("mean");
+    signal.noise = t.number("noise");
+    signal.exponent = t.number("exponent");
+    signal.wave_amplitude = t.optional_number("wave_amplitude").value_or(0);
+    signal.wave_velocity = t.optional_number("wave_velocity").value_or(0);
     if (t.has("wave_number")) {
-        const std::int64_t number = t.integer("wave_number", 1);
+        const std::int64_t number = t.integer("wave_number");
         if (2 * number > signal.sampling.bins()) {
             throw t.error(
                 "wave_number", "is out of range", fmt::format("{}", number),

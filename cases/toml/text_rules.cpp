@@ -9,18 +9,6 @@
 namespace crossgrain::toml_input {
 namespace {
 
-std::size_t longest(TextKind kind) {
-    switch (kind) {
-    case TextKind::name:
-        return 120;
-    case TextKind::line:
-        return 1'000;
-    case TextKind::prose:
-        break;
-    }
-    return 16'000;
-}
-
 bool is_acceptable(std::string_view text, TextKind kind) {
     if (kind != TextKind::prose) return is_printable(text);
     while (!text.empty()) {
@@ -33,16 +21,28 @@ bool is_acceptable(std::string_view text, TextKind kind) {
 
 }  // namespace
 
+std::size_t longest_text(TextKind kind) {
+    switch (kind) {
+    case TextKind::name:
+        return 120;
+    case TextKind::line:
+        return 1'000;
+    case TextKind::prose:
+        break;
+    }
+    return 16'000;
+}
+
 std::optional<TextFault> fault_in(std::string_view text, TextKind kind) {
     constexpr std::size_t quoted = 80;
     const auto quote = [&] { return fmt::format("\"{}\"", printable(text, quoted)); };
     if (kind == TextKind::name && text.empty()) {
         return TextFault{.problem = "is empty", .got = "\"\"", .expected = "a name"};
     }
-    if (text.size() > longest(kind)) {
+    if (text.size() > longest_text(kind)) {
         return TextFault{.problem = "is too long",
                          .got = fmt::format("{} bytes, {}", text.size(), quote()),
-                         .expected = fmt::format("at most {} bytes", longest(kind))};
+                         .expected = fmt::format("at most {} bytes", longest_text(kind))};
     }
     if (is_acceptable(text, kind)) return std::nullopt;
     return TextFault{.problem = "has characters that cannot be shown",

@@ -13,6 +13,9 @@ namespace crossgrain::toml_input {
 /// may be empty. `prose`: lines, at most 16000 bytes.
 enum class TextKind { name, line, prose };
 
+/// Most bytes of such a text.
+[[nodiscard]] std::size_t longest_text(TextKind kind);
+
 /// Why a text is not acceptable, in the words of a CaseError.
 struct TextFault {
     std::string problem, got, expected;

@@ -95,6 +95,7 @@ const std::map<std::string, Oracle>& oracles() {
          [](const Scene& s) { return pair_collision(s).angular_momentum_ratio; }},
         {"analytic:plate_restitution", [](const Scene&) { return 1.0; }},
         {"analytic:plate_contact_time", plate_contact_time},
+        // tools/new.sh oracle: entries go above this line
     };
     return all;
 }

@@ -10,13 +10,18 @@ const candidates = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/
 /** Path of the browser, or undefined when there is none. CHROMIUM overrides. */
 export function browserPath() {
   const wanted = process.env.CHROMIUM;
-  return wanted ? (existsSync(wanted) ? wanted : undefined) : candidates.find((path) => existsSync(path));
+  return wanted
+    ? existsSync(wanted)
+      ? wanted
+      : undefined
+    : candidates.find((path) => existsSync(path));
 }
 
 /** playwright-core from CROSSGRAIN_NODE_MODULES, or from node_modules beside this file. */
 function playwright() {
   const modules =
-    process.env.CROSSGRAIN_NODE_MODULES || join(dirname(fileURLToPath(import.meta.url)), "node_modules");
+    process.env.CROSSGRAIN_NODE_MODULES ||
+    join(dirname(fileURLToPath(import.meta.url)), "node_modules");
   if (!existsSync(join(modules, "playwright-core")))
     throw new Error(
       `playwright-core is not in ${modules}: run "npm ci" in reports/web, or set CROSSGRAIN_NODE_MODULES`,

@@ -33,7 +33,9 @@ try {
     const page = await context.newPage();
     await page.goto(pathToFileURL(join(resolve(directory), values.page)).href);
     if (values.open) {
-      await page.evaluate(() => document.querySelectorAll("details").forEach((part) => (part.open = true)));
+      await page.evaluate(() =>
+        document.querySelectorAll("details").forEach((part) => (part.open = true)),
+      );
       await page.waitForTimeout(500); // series are read from their files
       await page.evaluate(() =>
         document.querySelectorAll("img").forEach((image) => (image.loading = "eager")),

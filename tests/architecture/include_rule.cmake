@@ -39,6 +39,7 @@ endforeach()
 # Who runs: the codes there are, and running them.
 set(rule_adapters/registry native/base cases/toml adapters adapters/native adapters/synthetic
                            adapters/lammps adapters/liggghts adapters/yade)
+# tools/new.sh code: rules go above this line
 set(rule_adapters/run/store native/base cases/measure)
 set(rule_adapters/run native/base cases/scene cases/catalog cases/measure cases/observables adapters
                       adapters/dump adapters/process adapters/registry adapters/run/store)
@@ -61,7 +62,7 @@ set(rule_reports/studies native/base native/numerics cases/toml cases/scene case
                          adapters/registry adapters/run adapters/run/store reference/analytic
                          reference/compare reference/judge reference/oracles reports/session
                          reports/documents)
-set(rule_reports/web native/base cases/catalog cases/measure adapters/registry adapters/run/store
+set(rule_reports/web native/base cases/catalog cases/measure adapters/registry adapters/run adapters/run/store
                      reference/compare reference/judge reports/session reports/documents
                      reports/studies)
 set(rule_reports/terminal native/base adapters/run reports/documents)
@@ -132,6 +133,7 @@ endfunction()
 # crossgrain_library(<room> ... USES <rooms> ...): the link lines.
 function(check_links path text result)
     set(found "${${result}}")
+    string(REGEX REPLACE "#[^\n]*" "" text "${text}")
     string(REGEX MATCHALL "crossgrain_library\\([^)]*\\)" libraries "${text}")
     foreach(library IN LISTS libraries)
         string(REGEX REPLACE "[ \n]+" ";" words "${library}")
@@ -151,6 +153,7 @@ function(check_links path text result)
     set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 set(errors "")
 if(SELFTEST)
     # The judge is judged: each of these must be found.

@@ -19,7 +19,9 @@ window.crossgrain = window.crossgrain || {};
   /** Distance, limit below it, and the digits as number and bar. */
   function distance(value, limit, digits) {
     if (value === undefined) return el("span", { class: "soft" }, "–");
-    const share = format.isNumber(digits) ? Math.max(0, Math.min(1, digits / roundOffDigits)) : null;
+    const share = format.isNumber(digits)
+      ? Math.max(0, Math.min(1, digits / roundOffDigits))
+      : null;
     return el(
       "div",
       { class: "distance", title: format.exact(value) },
@@ -36,7 +38,9 @@ window.crossgrain = window.crossgrain || {};
               el("span", { style: "width:" + 100 * share + "%" }),
             ),
           ),
-      format.isNumber(limit) ? el("span", { class: "bound" }, "limit " + format.limit(limit)) : null,
+      format.isNumber(limit)
+        ? el("span", { class: "bound" }, "limit " + format.limit(limit))
+        : null,
     );
   }
 
@@ -50,7 +54,9 @@ window.crossgrain = window.crossgrain || {};
       ...times.map((time) =>
         distance((pair.max_dx || {})[time], (pair.limits || {})[time], (pair.digits || {})[time]),
       ),
-      ...periods.map((period) => distance((pair.max_dh || {})[period], (pair.limits_dh || {})[period])),
+      ...periods.map((period) =>
+        distance((pair.max_dh || {})[period], (pair.limits_dh || {})[period]),
+      ),
       [
         badge(pair.verdict, isExpected(pair)),
         isExpected(pair) ? null : [" ", el("span", { class: "flag" }, "unexpected")],

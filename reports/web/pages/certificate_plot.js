@@ -23,12 +23,15 @@ window.crossgrain = window.crossgrain || {};
     return { t: times, dx: times.map((time) => pair.max_dx[String(time)]) };
   }
 
-  const nameOf = (pair) => pair.a + " : " + pair.b + (pair.variant ? " (" + pair.variant + ")" : "");
+  const nameOf = (pair) =>
+    pair.a + " : " + pair.b + (pair.variant ? " (" + pair.variant + ")" : "");
 
   /** A pair has the colour of its second code; pairs without a native engine are dashed finely. */
   function styleOf(pair) {
     const look = crossgrain.codes.look(pair.b);
-    return pair.a.startsWith("native") ? { ...look, width: 2 } : { ...look, width: 1.4, dash: "3px,3px" };
+    return pair.a.startsWith("native")
+      ? { ...look, width: 2 }
+      : { ...look, width: 1.4, dash: "3px,3px" };
   }
 
   function trace(pair, unit) {
@@ -88,7 +91,11 @@ window.crossgrain = window.crossgrain || {};
       label: "Distance between codes against time, " + name,
       height: 300,
       notes: [notes.join("; ") + "."],
-      legend: pairs.map((pair) => ({ group: nameOf(pair), text: nameOf(pair), style: styleOf(pair) })),
+      legend: pairs.map((pair) => ({
+        group: nameOf(pair),
+        text: nameOf(pair),
+        style: styleOf(pair),
+      })),
       build: () => ({
         data: pairs.map((pair) => trace(pair, unit)),
         layout: {
@@ -98,7 +105,9 @@ window.crossgrain = window.crossgrain || {};
             ...limitsOf(pairs).flatMap(([time]) => [time / 1.35, time * 1.35]),
           ]),
           yaxis: logAxis("max |Δx| (" + plain(unit) + ")", [
-            ...pairs.flatMap((pair) => pointsOf(pair).dx.map((value) => (value === 0 ? floor : value))),
+            ...pairs.flatMap((pair) =>
+              pointsOf(pair).dx.map((value) => (value === 0 ? floor : value)),
+            ),
             ...limitsOf(pairs).map(([, value]) => value),
           ]),
         },

@@ -43,11 +43,14 @@ window.crossgrain = window.crossgrain || {};
       customdata: points.map(describe),
       marker: {
         color: crossgrain.codes.color(code),
-        symbol: points.map((point) => (point.on_front ? look.symbol.replace("-open", "") : look.symbol)),
+        symbol: points.map((point) =>
+          point.on_front ? look.symbol.replace("-open", "") : look.symbol,
+        ),
         size: look.size,
         line: { width: 1.4 },
       },
-      hovertemplate: "%{customdata}<br>%{x:.3g} CPU s, error %{y:.3g}<extra>%{fullData.name}</extra>",
+      hovertemplate:
+        "%{customdata}<br>%{x:.3g} CPU s, error %{y:.3g}<extra>%{fullData.name}</extra>",
     };
   }
 
@@ -106,7 +109,11 @@ window.crossgrain = window.crossgrain || {};
       hoverinfo: "name",
       x: [Math.min(...x), Math.max(...x)],
       y: [value, value],
-      line: { color: variable("--soft"), dash: name === "margin" ? "6px,4px" : "1px,3px", width: 1.4 },
+      line: {
+        color: variable("--soft"),
+        dash: name === "margin" ? "6px,4px" : "1px,3px",
+        width: 1.4,
+      },
     };
   }
 
@@ -158,13 +165,21 @@ window.crossgrain = window.crossgrain || {};
       format.withError(point.bias, point.bias_stderr),
       point.accurate ? "yes" : "no",
     ]);
-    return table({ caption: "The front, " + charted.observable, columns, rows, className: "compact" });
+    return table({
+      caption: "The front, " + charted.observable,
+      columns,
+      rows,
+      className: "compact",
+    });
   }
 
   function chart(item, charted) {
     const title = charted.observable + " against " + charted.against;
     if (list(charted.points).length === 0)
-      return [el("h3", {}, title), missing("No point: " + (charted.problem || "no run in this store") + ".")];
+      return [
+        el("h3", {}, title),
+        missing("No point: " + (charted.problem || "no run in this store") + "."),
+      ];
     const codes = [...groupBy(charted.points, (point) => point.code).keys()];
     return [
       figure({
@@ -172,7 +187,11 @@ window.crossgrain = window.crossgrain || {};
         title,
         height: 380,
         label: title + ", " + item.case,
-        legend: codes.map((code) => ({ group: code, text: code, style: crossgrain.codes.look(code) })),
+        legend: codes.map((code) => ({
+          group: code,
+          text: code,
+          style: crossgrain.codes.look(code),
+        })),
         build: () => build(charted),
       }),
       el(
@@ -193,7 +212,12 @@ window.crossgrain = window.crossgrain || {};
   function failures(item) {
     const all = list(item.failures);
     if (all.length === 0) return el("p", { class: "note" }, "Nothing of this ladder failed.");
-    const columns = [{ title: "code" }, { title: "status" }, { title: "reason" }, { title: "rungs" }];
+    const columns = [
+      { title: "code" },
+      { title: "status" },
+      { title: "reason" },
+      { title: "rungs" },
+    ];
     const rows = all.map((failure) => [
       crossgrain.codes.label(failure.code),
       crossgrain.outcomes.describe(failure.status).word,
@@ -201,7 +225,12 @@ window.crossgrain = window.crossgrain || {};
       failure.variants[0] +
         (failure.variants.length > 1 ? " and " + (failure.variants.length - 1) + " more" : ""),
     ]);
-    return table({ caption: "Not in the charts of " + item.case, columns, rows, className: "compact" });
+    return table({
+      caption: "Not in the charts of " + item.case,
+      columns,
+      rows,
+      className: "compact",
+    });
   }
 
   const stamp = (item) =>

@@ -48,7 +48,13 @@ window.crossgrain = window.crossgrain || {};
   }
 
   function pairLabel(a, b) {
-    return el("span", { class: "pair" }, label(a), el("span", { class: "versus" }, " : "), label(b));
+    return el(
+      "span",
+      { class: "pair" },
+      label(a),
+      el("span", { class: "versus" }, " : "),
+      label(b),
+    );
   }
 
   crossgrain.codes = { look, color, label, pairLabel };

@@ -52,7 +52,8 @@ window.crossgrain = window.crossgrain || {};
         size: look.size,
         line: { width: 1.4 },
       },
-      hovertemplate: "dt = %{x:.4g}<br>" + measure.title + ": %{customdata}<extra>%{fullData.name}</extra>",
+      hovertemplate:
+        "dt = %{x:.4g}<br>" + measure.title + ": %{customdata}<extra>%{fullData.name}</extra>",
     };
   }
 
@@ -130,7 +131,12 @@ window.crossgrain = window.crossgrain || {};
         order ? format.settings(order.settings) : "",
       ];
     });
-    return table({ caption: "Order of convergence, " + item.case, columns, rows, className: "compact" });
+    return table({
+      caption: "Order of convergence, " + item.case,
+      columns,
+      rows,
+      className: "compact",
+    });
   }
 
   crossgrain.convergence = (report) =>

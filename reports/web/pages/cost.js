@@ -8,18 +8,23 @@ window.crossgrain = window.crossgrain || {};
   const { axis, logAxis, figure, plain, variable } = crossgrain.plot;
   const format = crossgrain.format;
 
-  const total = (runs, key) => runs.reduce((sum, run) => sum + (format.isNumber(run[key]) ? run[key] : 0), 0);
+  const total = (runs, key) =>
+    runs.reduce((sum, run) => sum + (format.isNumber(run[key]) ? run[key] : 0), 0);
 
   const mostVariants = 4; // with more, a case has one entry for all of them
 
   /** One entry per case, variant, code and unit of work. */
   function costs(report) {
     return list(report.cases).flatMap((item) => {
-      const done = list(item.runs).filter((run) => run.status === "ok" && format.isNumber(run.cpu_s));
+      const done = list(item.runs).filter(
+        (run) => run.status === "ok" && format.isNumber(run.cpu_s),
+      );
       const variants = new Set(done.map((run) => run.variant || "")).size;
       const variantOf = (run) =>
         variants > mostVariants ? format.plural(variants, "variant") : run.variant || "";
-      const groups = groupBy(done, (run) => [run.code, variantOf(run), run.work_unit || ""].join("\n"));
+      const groups = groupBy(done, (run) =>
+        [run.code, variantOf(run), run.work_unit || ""].join("\n"),
+      );
       return [...groups.values()].map((runs) => {
         const cpu = total(runs, "cpu_s");
         const work = total(runs, "work");
@@ -86,7 +91,11 @@ window.crossgrain = window.crossgrain || {};
             usable.map((entry) => entry[key]),
             { range: barRange(usable.map((entry) => entry[key])) },
           ),
-          yaxis: axis("", { autorange: "reversed", ticks: "", gridcolor: variable("--plot-background") }),
+          yaxis: axis("", {
+            autorange: "reversed",
+            ticks: "",
+            gridcolor: variable("--plot-background"),
+          }),
         },
       }),
     });
@@ -128,7 +137,8 @@ window.crossgrain = window.crossgrain || {};
 
   crossgrain.cost = (report) => {
     const entries = costs(report);
-    if (entries.length === 0) return [missing("No finished run with a recorded cost in this report.")];
+    if (entries.length === 0)
+      return [missing("No finished run with a recorded cost in this report.")];
     const units = [
       ...groupBy(
         entries.filter((entry) => entry.rate),

@@ -11,7 +11,9 @@ window.crossgrain = window.crossgrain || {};
       element.setAttribute(name, value === true ? "" : String(value));
     }
     element.append(
-      ...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== ""),
+      ...children
+        .flat(Infinity)
+        .filter((child) => child !== null && child !== undefined && child !== ""),
     );
     return element;
   }
@@ -39,7 +41,10 @@ window.crossgrain = window.crossgrain || {};
         "tr",
         { role: "row", ...(rowAttributes ? rowAttributes(i) : {}) },
         cells.map((cell, j) => {
-          const attributes = { class: columns[j].numeric ? "numeric" : null, "data-label": columns[j].title };
+          const attributes = {
+            class: columns[j].numeric ? "numeric" : null,
+            "data-label": columns[j].title,
+          };
           return j === 0
             ? el("th", { ...attributes, scope: "row", role: "rowheader" }, cell)
             : el("td", { ...attributes, role: "cell" }, el("div", {}, cell));

@@ -9,7 +9,8 @@ window.crossgrain = window.crossgrain || {};
 
   const mostListed = 4; // questions of a row
   const mostRows = 30;
-  const keyOf = (verdict) => [verdict.code, verdict.verdict, isExpected(verdict), verdict.reason].join("\n");
+  const keyOf = (verdict) =>
+    [verdict.code, verdict.verdict, isExpected(verdict), verdict.reason].join("\n");
 
   /** "bed-fluid: spectrum-exponent against lammps (full, layers 1–5)". */
   function question(verdict) {
@@ -46,10 +47,13 @@ window.crossgrain = window.crossgrain || {};
   }
 
   crossgrain.exceptions = (report) => {
-    const rest = allVerdicts(report).filter((verdict) => verdict.verdict !== "agree" || !isExpected(verdict));
+    const rest = allVerdicts(report).filter(
+      (verdict) => verdict.verdict !== "agree" || !isExpected(verdict),
+    );
     if (rest.length === 0) return [];
     const groups = [...groupBy(rest, keyOf).values()].sort(
-      ([a], [b]) => isExpected(a) - isExpected(b) || order.indexOf(a.verdict) - order.indexOf(b.verdict),
+      ([a], [b]) =>
+        isExpected(a) - isExpected(b) || order.indexOf(a.verdict) - order.indexOf(b.verdict),
     );
     const first = groups.filter(([verdict], i) => i < mostRows || !isExpected(verdict));
     const others = groups.slice(first.length);

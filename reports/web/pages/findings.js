@@ -38,7 +38,8 @@ window.crossgrain = window.crossgrain || {};
       }),
     ]);
     return table({
-      caption: "What the runs of " + item.case + " were found to be; hover or tap a word for the reason",
+      caption:
+        "What the runs of " + item.case + " were found to be; hover or tap a word for the reason",
       columns: ["variant", ...names].map((title) => ({ title })),
       rows,
       className: "compact findings",
@@ -69,7 +70,10 @@ window.crossgrain = window.crossgrain || {};
     const common = labels.length === 1;
     const node = el(
       "td",
-      { class: common ? "state " + styleClass(labels[0]) : "state mixed", "data-state": labels.join(" / ") },
+      {
+        class: common ? "state " + styleClass(labels[0]) : "state mixed",
+        "data-state": labels.join(" / "),
+      },
       labels.join(" / "),
     );
     return crossgrain.tooltip.attach(node, () =>
@@ -91,7 +95,8 @@ window.crossgrain = window.crossgrain || {};
   function mapRow(y, columns, points, { across, up }) {
     const at = (x) =>
       points.find(
-        ({ parameters }) => String(parameters[across]) === x && (!up || String(parameters[up] ?? "") === y),
+        ({ parameters }) =>
+          String(parameters[across]) === x && (!up || String(parameters[up] ?? "") === y),
       );
     const place = (x) => across + " = " + x + (up ? ", " + up + " = " + y : "");
     return el(

@@ -114,7 +114,9 @@ window.crossgrain = window.crossgrain || {};
     return Object.entries(object || {})
       .map(
         ([key, value]) =>
-          key + " = " + (isNumber(value) ? exact(value) : value === null ? "not finite" : String(value)),
+          key +
+          " = " +
+          (isNumber(value) ? exact(value) : value === null ? "not finite" : String(value)),
       )
       .join(", ");
   }

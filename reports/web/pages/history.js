@@ -15,7 +15,8 @@ window.crossgrain = window.crossgrain || {};
     in_band: { symbol: "–", word: "in the band" },
     too_few: { symbol: "…", word: "too few entries" },
   };
-  const stateOf = (series) => states[series.status] || { symbol: "!", word: series.status || "not judged" };
+  const stateOf = (series) =>
+    states[series.status] || { symbol: "!", word: series.status || "not judged" };
 
   function state(series) {
     const { symbol, word } = stateOf(series);
@@ -30,14 +31,21 @@ window.crossgrain = window.crossgrain || {};
     const last = list(series.points).at(-1);
     if (!last) return "no entry";
     const text = format.withError(last.value, last.stderr) + format.unit(series.unit);
-    return el("span", { title: format.exact(last.value) + " ± " + format.exact(last.stderr ?? 0) }, text);
+    return el(
+      "span",
+      { title: format.exact(last.value) + " ± " + format.exact(last.stderr ?? 0) },
+      text,
+    );
   }
 
   function row(series) {
     const points = list(series.points);
     const where = series.case + (series.variant ? ", " + series.variant : "");
     return [
-      [el("span", { class: "observable" }, series.observable), el("span", { class: "setting" }, where)],
+      [
+        el("span", { class: "observable" }, series.observable),
+        el("span", { class: "setting" }, where),
+      ],
       crossgrain.codes.label(series.code),
       String(points.length),
       latest(series),
@@ -91,9 +99,20 @@ window.crossgrain = window.crossgrain || {};
     const shown = fitting.slice(0, most);
     const rowAttributes = (i) => ({ "data-status": shown[i].status || "unknown" });
     const rows = shown.map(row);
-    const part = table({ caption, columns, rows, className: "history", cards: true, rowAttributes });
+    const part = table({
+      caption,
+      columns,
+      rows,
+      className: "history",
+      cards: true,
+      rowAttributes,
+    });
     if (fitting.length <= most) return [part];
-    const more = el("button", { type: "button", class: "fold" }, "show all " + fitting.length + " series");
+    const more = el(
+      "button",
+      { type: "button", class: "fold" },
+      "show all " + fitting.length + " series",
+    );
     more.addEventListener("click", () => {
       part.parentElement.replaceChildren(...historyTable(fitting, fitting.length));
     });

@@ -35,12 +35,20 @@ window.crossgrain = window.crossgrain || {};
       meta: "history",
       x: points.map((p) => p.entry),
       y: points.map((p) => p.value),
-      error_y: { type: "data", array: points.map((p) => p.stderr || 0), thickness: 1, width: 2, color },
+      error_y: {
+        type: "data",
+        array: points.map((p) => p.stderr || 0),
+        thickness: 1,
+        width: 2,
+        color,
+      },
       line: { color, width: 1.4 },
       marker: {
         color,
         size: points.map((_, i) => (isLast(i) ? 8 : 4)),
-        symbol: points.map((_, i) => (isLast(i) && series.status === "left_band" ? "triangle-up" : "circle")),
+        symbol: points.map((_, i) =>
+          isLast(i) && series.status === "left_band" ? "triangle-up" : "circle",
+        ),
       },
       customdata: points.map((p) => [
         format.exact(p.value),
@@ -95,7 +103,11 @@ window.crossgrain = window.crossgrain || {};
       config: { displayModeBar: false },
       build: () => ({
         data: [trace(series)],
-        layout: { shapes: bandShape(series), margin: { l: 84, r: 6, t: 3, b: 15 }, ...axes(series) },
+        layout: {
+          shapes: bandShape(series),
+          margin: { l: 84, r: 6, t: 3, b: 15 },
+          ...axes(series),
+        },
       }),
     });
   }

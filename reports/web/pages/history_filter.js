@@ -21,7 +21,10 @@ window.crossgrain = window.crossgrain || {};
       value,
       text: stateWord(value),
     }));
-    const byState = select("history-status", "state", [{ value: "all", text: "all states" }, ...present]);
+    const byState = select("history-status", "state", [
+      { value: "all", text: "all states" },
+      ...present,
+    ]);
     const search = el(
       "label",
       { class: "filter", for: "history-text" },
@@ -43,7 +46,8 @@ window.crossgrain = window.crossgrain || {};
       show(fitting);
       status.textContent = fitting.length + " of " + format.plural(all.length, "series", "series");
     };
-    for (const control of [byCase, byCode, byState, search]) control.addEventListener("input", apply);
+    for (const control of [byCase, byCode, byState, search])
+      control.addEventListener("input", apply);
     apply();
     return el("div", { class: "filters" }, byCase, byCode, byState, search, status);
   };

@@ -61,7 +61,9 @@ window.crossgrain = window.crossgrain || {};
           sample(style),
           " " + text,
         );
-        button.addEventListener("click", () => button.setAttribute("aria-pressed", String(toggle(group))));
+        button.addEventListener("click", () =>
+          button.setAttribute("aria-pressed", String(toggle(group))),
+        );
         return el("li", {}, button);
       }),
     );

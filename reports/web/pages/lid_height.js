@@ -8,7 +8,8 @@ window.crossgrain = window.crossgrain || {};
   const { axis, logAxis, figure, plain, variable } = crossgrain.plot;
 
   const reference = "native-dem";
-  const nameOf = (series) => series.code + (series.replica > 0 ? ", replica " + series.replica : "");
+  const nameOf = (series) =>
+    series.code + (series.replica > 0 ? ", replica " + series.replica : "");
   const replicaOf = (series) => series.replica || 0;
 
   function line(series, y, extra) {
@@ -22,7 +23,8 @@ window.crossgrain = window.crossgrain || {};
       y,
       opacity: replicaOf(series) > 0 ? 0.5 : 1,
       line: { color: crossgrain.codes.color(series.code), dash: look.dash, width: look.width },
-      hovertemplate: "t = %{x:.6g}<br>" + extra.label + " = %{y:.10g}<extra>%{fullData.name}</extra>",
+      hovertemplate:
+        "t = %{x:.6g}<br>" + extra.label + " = %{y:.10g}<extra>%{fullData.name}</extra>",
       ...extra.trace,
     };
   }
@@ -50,7 +52,8 @@ window.crossgrain = window.crossgrain || {};
     const ta = column(a, "t");
     const tb = column(b, "t");
     return (
-      ta.length === tb.length && ta.every((t, i) => Math.abs(t - tb[i]) <= 1e-9 * Math.max(1, Math.abs(t)))
+      ta.length === tb.length &&
+      ta.every((t, i) => Math.abs(t - tb[i]) <= 1e-9 * Math.max(1, Math.abs(t)))
     );
   }
 
@@ -61,13 +64,20 @@ window.crossgrain = window.crossgrain || {};
     };
     // Zero has no place on a log axis: gaps, counted in the notes.
     const y = apart.map((value) => value || null);
-    const trace = { meta: "difference", yaxis: "y2", connectgaps: false, line: { ...style, width: 1.6 } };
+    const trace = {
+      meta: "difference",
+      yaxis: "y2",
+      connectgaps: false,
+      line: { ...style, width: 1.6 },
+    };
     return line(series, y, { label: "|h − h_native|", trace });
   }
 
   /** {trace, note} of one foreign series: its curve of |h - h_native|, or why there is none. */
   function difference(series, group) {
-    const native = group.find((other) => other.code === reference && replicaOf(other) === replicaOf(series));
+    const native = group.find(
+      (other) => other.code === reference && replicaOf(other) === replicaOf(series),
+    );
     if (!native) return { note: nameOf(series) + ": no " + reference + " run to compare with" };
     if (!sameTimes(series, native))
       return { note: nameOf(series) + ": sampled at other times than " + reference };
@@ -77,7 +87,10 @@ window.crossgrain = window.crossgrain || {};
     );
     const zeros = apart.filter((value) => value === 0).length;
     const share = zeros + " of " + apart.length + " samples are identical to the last bit (gaps)";
-    return { trace: differenceTrace(series, apart), note: zeros > 0 ? nameOf(series) + ": " + share : null };
+    return {
+      trace: differenceTrace(series, apart),
+      note: zeros > 0 ? nameOf(series) + ": " + share : null,
+    };
   }
 
   function differences(group) {
@@ -107,7 +120,10 @@ window.crossgrain = window.crossgrain || {};
         ...traces,
       ],
       layout: {
-        xaxis: axis("t (" + plain(columnUnit(group[0], "t")) + ")", { anchor: lowest, mirror: "all" }),
+        xaxis: axis("t (" + plain(columnUnit(group[0], "t")) + ")", {
+          anchor: lowest,
+          mirror: "all",
+        }),
         yaxis: axis("h" + unit, { domain: [ceiling + (ceiling > 0 ? 0.05 : 0), 1] }),
         ...(traces.length > 0
           ? {

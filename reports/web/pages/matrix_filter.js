@@ -38,7 +38,9 @@ window.crossgrain = window.crossgrain || {};
       body.hidden = !inCase || !any;
     }
     status.textContent =
-      shown === total ? format.plural(total, "verdict") : shown + " of " + format.plural(total, "verdict");
+      shown === total
+        ? format.plural(total, "verdict")
+        : shown + " of " + format.plural(total, "verdict");
   }
 
   /** The drop-downs above the matrix `table`. */

@@ -37,7 +37,8 @@ window.crossgrain = window.crossgrain || {};
         { class: "note", title: cell.reason || null },
         cell.measured_nothing ? "–" : "not run",
       );
-    const symbol = cell.column === row.against ? "reference" : cell.verdict ? describe(cell.verdict).symbol : "";
+    const symbol =
+      cell.column === row.against ? "reference" : cell.verdict ? describe(cell.verdict).symbol : "";
     return el(
       "span",
       { title: details(cell).join("\n") },
@@ -87,7 +88,8 @@ window.crossgrain = window.crossgrain || {};
     const found = list(item.pictures).flatMap((wanted) => {
       const owner = list(report.cases).find((one) => one.case === wanted.case);
       const picture = list((owner || {}).pictures).find(
-        (one) => one.code === wanted.code && one.variant === wanted.variant && one.name === wanted.name,
+        (one) =>
+          one.code === wanted.code && one.variant === wanted.variant && one.name === wanted.name,
       );
       return picture ? [{ ...picture, variant: wanted.title }] : [];
     });
@@ -100,9 +102,17 @@ window.crossgrain = window.crossgrain || {};
   /** A mean in percent of both codes' mean, with all digits and its unit in the tooltip. */
   function percent(mean, observable, significant) {
     const scale = Math.abs(observable.a.value + observable.b.value) / 200;
-    const exact = [format.exact(mean.value) + " ± " + format.exact(mean.stderr), observable.unit].join(" ");
+    const exact = [
+      format.exact(mean.value) + " ± " + format.exact(mean.stderr),
+      observable.unit,
+    ].join(" ");
     const text = (mean.value / scale).toFixed(2) + " ± " + (mean.stderr / scale).toFixed(2);
-    return el("span", { title: exact }, text.replace("-", "−"), significant ? el("strong", {}, " *") : null);
+    return el(
+      "span",
+      { title: exact },
+      text.replace("-", "−"),
+      significant ? el("strong", {}, " *") : null,
+    );
   }
 
   function attributionRow(pair, observable) {
@@ -127,15 +137,21 @@ window.crossgrain = window.crossgrain || {};
       el(
         "p",
         { class: "note" },
-        "The engine " + pairs[0].code + " with one convention switched at a time: second code's minus " +
+        "The engine " +
+          pairs[0].code +
+          " with one convention switched at a time: second code's minus " +
           "first code's, in percent of their mean, averaged over the orders of switching. " +
           "* differs from 0 at 95 %; interaction: beyond what each makes alone.",
       ),
       table({
         caption: "attribution of differences to conventions",
-        columns: ["conventions", "observable", "difference", ...conventions.map(words), "interaction"].map(
-          (title) => ({ title }),
-        ),
+        columns: [
+          "conventions",
+          "observable",
+          "difference",
+          ...conventions.map(words),
+          "interaction",
+        ].map((title) => ({ title })),
         rows: pairs.flatMap((pair) =>
           list(pair.observables).map((observable) => attributionRow(pair, observable)),
         ),
@@ -150,7 +166,9 @@ window.crossgrain = window.crossgrain || {};
     if (items.length === 0 && !attributed)
       return [missing("This report compares no models with molecular dynamics.")];
     const tables = items.map((item) => {
-      const rows = list(item.rows).filter((row) => list(row.cells).some((cell) => cell.case && isValue(cell)));
+      const rows = list(item.rows).filter((row) =>
+        list(row.cells).some((cell) => cell.case && isValue(cell)),
+      );
       return [
         el("h3", {}, item.title),
         item.text ? el("p", { class: "note" }, item.text) : null,
@@ -161,7 +179,9 @@ window.crossgrain = window.crossgrain || {};
               crossgrain.modelsFigures(item),
               sideBySide(item, report),
             ]
-          : missing("No run of its cases in this store: crossgrain run " + casesOf(item).join(" ") + "."),
+          : missing(
+              "No run of its cases in this store: crossgrain run " + casesOf(item).join(" ") + ".",
+            ),
       ];
     });
     return [tables, attributed];

@@ -37,7 +37,11 @@ window.crossgrain = window.crossgrain || {};
   function stretched(picture) {
     const [across, down] = factors(picture);
     if (across === down) return null;
-    return el("span", { class: "note" }, "Shown " + (across > down ? "wider" : "taller") + " than it is.");
+    return el(
+      "span",
+      { class: "note" },
+      "Shown " + (across > down ? "wider" : "taller") + " than it is.",
+    );
   }
 
   function caption(picture, several) {
@@ -58,8 +62,14 @@ window.crossgrain = window.crossgrain || {};
 
   function figure(picture, several) {
     const shown = picture.file
-      ? el("a", { href: picture.file, target: "_blank", title: picture.title || null }, image(picture))
-      : missing("This picture could not be written: " + (picture.problem || "it has no file") + ".");
+      ? el(
+          "a",
+          { href: picture.file, target: "_blank", title: picture.title || null },
+          image(picture),
+        )
+      : missing(
+          "This picture could not be written: " + (picture.problem || "it has no file") + ".",
+        );
     return el("figure", { class: "picture" }, shown, caption(picture, several));
   }
 

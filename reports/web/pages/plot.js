@@ -14,7 +14,8 @@ window.crossgrain = window.crossgrain || {};
     modeBarButtons: [["toImage", "zoom2d", "pan2d", "resetScale2d"]],
   };
 
-  const variable = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const variable = (name) =>
+    getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
   /** Text for Plotly, which reads a small markup language. */
   function plain(text) {
@@ -37,7 +38,9 @@ window.crossgrain = window.crossgrain || {};
       automargin: true,
       exponentformat: "power",
       minor:
-        type === "log" ? { ticks: "outside", ticklen: 2, tickcolor: variable("--plot-axis") } : undefined,
+        type === "log"
+          ? { ticks: "outside", ticklen: 2, tickcolor: variable("--plot-axis") }
+          : undefined,
       tickangle: 0,
       ...options,
     };
@@ -69,7 +72,11 @@ window.crossgrain = window.crossgrain || {};
   }
 
   function layout(parts) {
-    const font = { family: getComputedStyle(document.body).fontFamily, size: 12, color: variable("--text") };
+    const font = {
+      family: getComputedStyle(document.body).fontFamily,
+      size: 12,
+      color: variable("--text"),
+    };
     return {
       font,
       paper_bgcolor: "rgba(0,0,0,0)",

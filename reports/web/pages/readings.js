@@ -30,7 +30,10 @@ window.crossgrain = window.crossgrain || {};
     const m = measurementOf(item, verdict);
     return m
       ? [
-          ["measured", format.exact(m.value) + " ± " + format.exact(m.stderr) + format.unit(m.unit)],
+          [
+            "measured",
+            format.exact(m.value) + " ± " + format.exact(m.stderr) + format.unit(m.unit),
+          ],
           ["systematic", m.systematic ? "± " + format.exact(m.systematic) : ""],
           ["n", String(m.n)],
         ]
@@ -70,13 +73,16 @@ window.crossgrain = window.crossgrain || {};
   }
 
   function cell(entries, reading) {
-    if (!entries) return el("td", { class: "empty", "data-label": reading, title: "not asked" }, "·");
+    if (!entries)
+      return el("td", { class: "empty", "data-label": reading, title: "not asked" }, "·");
     // What was reproduced comes first.
     const outcomes = countByOutcome(entries.map(({ verdict }) => verdict))
       .map(([outcome]) => outcome)
       .reverse();
     const shown =
-      entries.length === 1 ? single(entries[0]) : outcomes.map((outcome) => several(entries, outcome));
+      entries.length === 1
+        ? single(entries[0])
+        : outcomes.map((outcome) => several(entries, outcome));
     return el(
       "td",
       {
@@ -110,7 +116,8 @@ window.crossgrain = window.crossgrain || {};
     const checks = groupBy(entries, ({ item, verdict }) =>
       [item.case, verdict.code, verdict.observable, verdict.kind, verdict.against].join("\n"),
     );
-    const caption = "Readings of " + model + ": value ± standard error, and what it says about the figure";
+    const caption =
+      "Readings of " + model + ": value ± standard error, and what it says about the figure";
     return el(
       "div",
       { class: "scroll", tabindex: 0, role: "region", "aria-label": caption },

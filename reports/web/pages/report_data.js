@@ -69,7 +69,8 @@ window.crossgrain = window.crossgrain || {};
     return cases.flatMap((item) => {
       const notes = absences(item, name);
       if (seriesNamed(item, name).length > 0) return build(item, notes);
-      if (list(item.runs).length === 0) return [missing("No run of " + item.case + " in this store.")];
+      if (list(item.runs).length === 0)
+        return [missing("No run of " + item.case + " in this store.")];
       return [missing("No “" + name + "” series of " + item.case + ": " + notes.join("; ") + ".")];
     });
   }

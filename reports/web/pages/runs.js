@@ -8,7 +8,9 @@ window.crossgrain = window.crossgrain || {};
   const format = crossgrain.format;
 
   function runsOf(report) {
-    return list(report.cases).flatMap((item) => list(item.runs).map((run) => ({ ...run, case: item.case })));
+    return list(report.cases).flatMap((item) =>
+      list(item.runs).map((run) => ({ ...run, case: item.case })),
+    );
   }
 
   /** A run that ended well is plain text: green is kept for verdicts. */

@@ -5,9 +5,11 @@ window.crossgrain = window.crossgrain || {};
   "use strict";
   const { list, column, columnUnit } = crossgrain.data;
 
-  const isError = (name) => /^(err|error|stderr|standard_error)$|^err_|_(err|error|stderr)$/.test(name);
+  const isError = (name) =>
+    /^(err|error|stderr|standard_error)$|^err_|_(err|error|stderr)$/.test(name);
   const isBand = (name) => /^(experiment|band)\b/.test(name);
-  const isArrows = (series) => ["x", "y", "dx", "dy"].every((name) => list(series.columns).includes(name));
+  const isArrows = (series) =>
+    ["x", "y", "dx", "dy"].every((name) => list(series.columns).includes(name));
 
   /** The errors of a column stand in the column behind it. */
   function errorsOf(series, name) {

@@ -33,7 +33,8 @@ window.crossgrain = window.crossgrain || {};
     if (x.length <= mostRows) return rows;
     if (!log) return rows.filter((i) => i % Math.ceil(x.length / mostRows) === 0);
     const kept = new Set();
-    for (let i = 0; i < mostRows; i += 1) kept.add(Math.floor(Math.pow(x.length, i / (mostRows - 1))) - 1);
+    for (let i = 0; i < mostRows; i += 1)
+      kept.add(Math.floor(Math.pow(x.length, i / (mostRows - 1))) - 1);
     return rows.filter((i) => kept.has(i));
   }
 
@@ -79,7 +80,9 @@ window.crossgrain = window.crossgrain || {};
               color,
             }
           : undefined,
-      customdata: pick(errors).map((value) => (format.isNumber(value) ? " ± " + format.exact(value) : "")),
+      customdata: pick(errors).map((value) =>
+        format.isNumber(value) ? " ± " + format.exact(value) : "",
+      ),
       hovertemplate:
         plain(abscissa) +
         " = %{x}<br>" +
@@ -94,7 +97,13 @@ window.crossgrain = window.crossgrain || {};
     const edge = { type: "scatter", mode: "lines", x, hoverinfo: "skip", line: { width: 0 } };
     return [
       { ...edge, meta: "band-edge", y: column(series, low) },
-      { ...edge, meta: "band", y: column(series, high), fill: "tonexty", fillcolor: variable("--band") },
+      {
+        ...edge,
+        meta: "band",
+        y: column(series, high),
+        fill: "tonexty",
+        fillcolor: variable("--band"),
+      },
     ];
   }
 
@@ -102,7 +111,9 @@ window.crossgrain = window.crossgrain || {};
   function fitLines(fits, quantity, style) {
     return fits.flatMap((fit) => {
       const names = list(fit.columns);
-      const [from, to] = ["_min", "_max"].map((ending) => names.find((name) => name.endsWith(ending)));
+      const [from, to] = ["_min", "_max"].map((ending) =>
+        names.find((name) => name.endsWith(ending)),
+      );
       if (!from || !to) return [];
       const at = (name, row) => column(fit, name)[row];
       return column(fit, from).flatMap((low, row) => {
@@ -169,7 +180,10 @@ window.crossgrain = window.crossgrain || {};
     x.forEach((_, i) => {
       if (i % every > 0 || ![x[i], y[i], dx[i], dy[i]].every(format.isNumber)) return;
       const end = [x[i] + dx[i], y[i] + dy[i]];
-      const wing = (side) => [end[0] - head * (dx[i] + side * dy[i]), end[1] - head * (dy[i] - side * dx[i])];
+      const wing = (side) => [
+        end[0] - head * (dx[i] + side * dy[i]),
+        end[1] - head * (dy[i] - side * dx[i]),
+      ];
       for (const point of [[x[i], y[i]], end, wing(0.6), end, wing(-0.6), [null, null]]) {
         line.x.push(point[0]);
         line.y.push(point[1]);

@@ -46,7 +46,9 @@ window.crossgrain = window.crossgrain || {};
   function chosen(all, group, run, quantity) {
     const label = labeller(group);
     const runs = run === everything ? group.slice(0, mostCurves) : [group[Number(run)]];
-    const [unit, single] = quantity.startsWith(everything) ? [quantity.slice(1), false] : ["", true];
+    const [unit, single] = quantity.startsWith(everything)
+      ? [quantity.slice(1), false]
+      : ["", true];
     const entries = runs.flatMap((series) =>
       (single ? [quantity] : companions(series, unit)).map((name) => ({
         series,
@@ -102,7 +104,11 @@ window.crossgrain = window.crossgrain || {};
         left > 0 ? "The first " + mostCurves + " of " + group.length + " runs are drawn." : "",
         ...notes(entries[0].series),
       ].filter(Boolean),
-      legend: entries.map((entry) => ({ group: entry.label, text: entry.label, style: entry.style })),
+      legend: entries.map((entry) => ({
+        group: entry.label,
+        text: entry.label,
+        style: entry.style,
+      })),
       build: () => curves(entries, { x, y }),
     });
   }
@@ -111,7 +117,9 @@ window.crossgrain = window.crossgrain || {};
 
   function setOptions(label, options, value) {
     const box = label.querySelector("select");
-    box.replaceChildren(...options.map((option) => el("option", { value: option.value }, option.text)));
+    box.replaceChildren(
+      ...options.map((option) => el("option", { value: option.value }, option.text)),
+    );
     if (options.some((option) => option.value === value)) box.value = value;
     label.hidden = options.length < 2;
   }
@@ -130,7 +138,9 @@ window.crossgrain = window.crossgrain || {};
       "series",
       [...groups.keys()].map((name) => ({ value: name, text: name })),
     );
-    const [byRun, byQuantity, byAxes] = ["run", "quantity", "axes"].map((part) => select(id(part), part, []));
+    const [byRun, byQuantity, byAxes] = ["run", "quantity", "axes"].map((part) =>
+      select(id(part), part, []),
+    );
     const place = el("div", {});
     const group = () => groups.get(valueOf(bySeries));
     const draw = () => {
@@ -146,7 +156,9 @@ window.crossgrain = window.crossgrain || {};
       const [series] = group();
       const quantity = valueOf(byQuantity).replace(/^\*/, "");
       const types = quantity && !isArrows(series) ? axisTypes(series, quantity) : null;
-      const options = types ? Object.entries(axesNames).map(([value, text]) => ({ value, text })) : [];
+      const options = types
+        ? Object.entries(axesNames).map(([value, text]) => ({ value, text }))
+        : [];
       setOptions(byAxes, options, types ? types.x + " " + types.y : "");
       draw();
     };

@@ -14,10 +14,15 @@ window.crossgrain = window.crossgrain || {};
     return [...names]
       .map((name) => /^S_(\d+)_(\d+)$/.exec(name))
       .filter(Boolean)
-      .map(([, first, last]) => ({ first: Number(first), last: Number(last), id: first + "_" + last }));
+      .map(([, first, last]) => ({
+        first: Number(first),
+        last: Number(last),
+        id: first + "_" + last,
+      }));
   }
 
-  const nameOf = (series) => series.code + (series.replica > 0 ? ", replica " + series.replica : "");
+  const nameOf = (series) =>
+    series.code + (series.replica > 0 ? ", replica " + series.replica : "");
 
   /** Rows of the fit table: [{first, last, k_min, k_max, exponent, exponent_err, amplitude}]. */
   function fitsOf(series) {
@@ -30,11 +35,14 @@ window.crossgrain = window.crossgrain || {};
 
   function fitOf(fits, series, layers) {
     const table = fits.find(
-      (candidate) => candidate.code === series.code && (candidate.replica || 0) === (series.replica || 0),
+      (candidate) =>
+        candidate.code === series.code && (candidate.replica || 0) === (series.replica || 0),
     );
     const fit =
       table &&
-      fitsOf(table).find((row) => row.layer_first === layers.first && row.layer_last === layers.last);
+      fitsOf(table).find(
+        (row) => row.layer_first === layers.first && row.layer_last === layers.last,
+      );
     return fit && format.isNumber(fit.exponent) && format.isNumber(fit.amplitude) ? fit : null;
   }
 
@@ -100,7 +108,8 @@ window.crossgrain = window.crossgrain || {};
     const used = k.filter((value, i) => value > 0 && s[i] > 0);
     if (used.length < 2) return null;
     const lift =
-      2 * Math.max(...k.map((value, i) => (value > 0 && s[i] > 0 ? s[i] * Math.pow(value, 5 / 3) : 0)));
+      2 *
+      Math.max(...k.map((value, i) => (value > 0 && s[i] > 0 ? s[i] * Math.pow(value, 5 / 3) : 0)));
     const x = [used[Math.floor(used.length / 4)], used[used.length - 1]];
     return { x, y: x.map((value) => lift * Math.pow(value, -5 / 3)) };
   }
@@ -108,7 +117,10 @@ window.crossgrain = window.crossgrain || {};
   function build(group, fits, layers) {
     const fitted = group.map((series) => fitOf(fits, series, layers));
     const line = guide(group, layers);
-    const levels = [...group.flatMap((series) => column(series, "S_" + layers.id)), ...(line ? line.y : [])];
+    const levels = [
+      ...group.flatMap((series) => column(series, "S_" + layers.id)),
+      ...(line ? line.y : []),
+    ];
     return {
       data: [
         ...group.map((series) => points(series, layers)),
@@ -153,7 +165,15 @@ window.crossgrain = window.crossgrain || {};
       name: "spectrum",
       title: "layers " + layers.first + "–" + layers.last,
       height: 320,
-      label: "Spectrum of layers " + layers.first + " to " + layers.last + ", " + item.case + " " + variant,
+      label:
+        "Spectrum of layers " +
+        layers.first +
+        " to " +
+        layers.last +
+        ", " +
+        item.case +
+        " " +
+        variant,
       legend: group.map((series) => legendEntry(series, fitOf(fits, series, layers))),
       build: () => build(group, fits, layers),
     });
@@ -163,7 +183,9 @@ window.crossgrain = window.crossgrain || {};
     const variantOf = (series) => series.variant || "";
     const groups = groupBy(seriesNamed(item, "spectrum"), variantOf);
     return [...groups].flatMap(([variant, group]) => {
-      const fits = seriesNamed(item, "spectrum-fit").filter((series) => variantOf(series) === variant);
+      const fits = seriesNamed(item, "spectrum-fit").filter(
+        (series) => variantOf(series) === variant,
+      );
       const notes = fits.length ? absent : [...absent, "no fit is recorded"];
       return [
         el("h3", {}, item.case + (variant ? ", " + variant : "")),

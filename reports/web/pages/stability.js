@@ -10,7 +10,8 @@ window.crossgrain = window.crossgrain || {};
 
   const symbols = ["circle", "x", "triangle-up", "diamond", "square", "cross", "star", "hexagon"];
   const words = (named) => Object.values(named || {}).join(", ");
-  const same = (a, b) => Object.entries(a || {}).every(([key, value]) => !(key in b) || b[key] === value);
+  const same = (a, b) =>
+    Object.entries(a || {}).every(([key, value]) => !(key in b) || b[key] === value);
 
   function thresholds(item) {
     const all = list(item.thresholds);
@@ -100,7 +101,9 @@ window.crossgrain = window.crossgrain || {};
   function build(points, theory, keys, states) {
     const [y, x] = keys;
     const byState = groupBy(points, (point) => point.state);
-    const data = [...byState].map(([state, found]) => cloud(state, found, keys, states.indexOf(state)));
+    const data = [...byState].map(([state, found]) =>
+      cloud(state, found, keys, states.indexOf(state)),
+    );
     if (theory.length > 0) data.push(theoryTrace(theory, x));
     const values = (name) => data.flatMap((trace) => trace[name]);
     const along = x
@@ -119,7 +122,9 @@ window.crossgrain = window.crossgrain || {};
     const [first] = points;
     const theory = list(item.theory).filter(
       (line) =>
-        line.parameter === keys[0] && same(line.in, first.in) && same(restOf(line.at, keys), first.at),
+        line.parameter === keys[0] &&
+        same(line.in, first.in) &&
+        same(restOf(line.at, keys), first.at),
     );
     const title = [first.code, words(first.in)].filter(Boolean).join(", ");
     const present = states.filter((state) => points.some((point) => point.state === state));
@@ -158,10 +163,18 @@ window.crossgrain = window.crossgrain || {};
   }
 
   function stateTable(item, points) {
-    const columns = [{ title: "code" }, { title: "where" }, { title: "state" }, { title: "detail" }];
+    const columns = [
+      { title: "code" },
+      { title: "where" },
+      { title: "state" },
+      { title: "detail" },
+    ];
     const rows = points.map((point) => [
       crossgrain.codes.label(point.code),
-      [words(point.in), ...Object.entries(point.at).map(([key, value]) => key + " = " + value)].join(", "),
+      [
+        words(point.in),
+        ...Object.entries(point.at).map(([key, value]) => key + " = " + value),
+      ].join(", "),
       crossgrain.states.state(point.state),
       point.detail,
     ]);
@@ -172,12 +185,12 @@ window.crossgrain = window.crossgrain || {};
     const all = list(item.points).filter((point) => point.state === "not_expressible");
     if (all.length === 0) return [];
     const columns = [{ title: "code" }, { title: "reason" }, { title: "points", numeric: true }];
-    const rows = [...groupBy(all, (point) => point.code + "|" + point.detail).values()].map((points) => [
-      crossgrain.codes.label(points[0].code),
-      points[0].detail,
-      String(points.length),
-    ]);
-    return [table({ caption: "Not in the maps of " + item.case, columns, rows, className: "compact" })];
+    const rows = [...groupBy(all, (point) => point.code + "|" + point.detail).values()].map(
+      (points) => [crossgrain.codes.label(points[0].code), points[0].detail, String(points.length)],
+    );
+    return [
+      table({ caption: "Not in the maps of " + item.case, columns, rows, className: "compact" }),
+    ];
   }
 
   crossgrain.stability = (report) => {

@@ -50,7 +50,11 @@ window.crossgrain = window.crossgrain || {};
     countByOutcome(verdicts)
       .reverse()
       .map(([outcome, count]) =>
-        el("span", { class: "count t-" + describe(outcome).name }, count + " " + describe(outcome).word),
+        el(
+          "span",
+          { class: "count t-" + describe(outcome).name },
+          count + " " + describe(outcome).word,
+        ),
       )
       .map((count, i) => [i > 0 ? ", " : "", count]);
 
@@ -84,15 +88,22 @@ window.crossgrain = window.crossgrain || {};
     return el(
       "strong",
       { class: "alarm" },
-      format.plural(unexpected.length, "verdict is", "verdicts are") + " unexpected: " + named + rest,
+      format.plural(unexpected.length, "verdict is", "verdicts are") +
+        " unexpected: " +
+        named +
+        rest,
     );
   }
 
   function sentence(report) {
     const verdicts = allVerdicts(report);
     if (verdicts.length === 0) return missing("No verdict in this report: nothing was compared.");
-    const unexpected = [...verdicts, ...certified(report)].filter((verdict) => !isExpected(verdict));
-    const reached = verdicts.some((verdict) => ["agree", "disagree", "undecided"].includes(verdict.verdict));
+    const unexpected = [...verdicts, ...certified(report)].filter(
+      (verdict) => !isExpected(verdict),
+    );
+    const reached = verdicts.some((verdict) =>
+      ["agree", "disagree", "undecided"].includes(verdict.verdict),
+    );
     const quiet = reached ? "Nothing is unexpected" : "Nothing could be compared";
     const total = ". Of " + format.plural(verdicts.length, "verdict") + ": ";
     return el(

@@ -15,7 +15,8 @@ window.crossgrain = window.crossgrain || {};
     const below = cell.bottom + 6;
     const above = cell.top - box.offsetHeight - 6;
     box.style.left = left + "px";
-    box.style.top = (below + box.offsetHeight > window.innerHeight && above > 0 ? above : below) + "px";
+    box.style.top =
+      (below + box.offsetHeight > window.innerHeight && above > 0 ? above : below) + "px";
   }
 
   function show(target, build) {

@@ -56,7 +56,12 @@ window.crossgrain = window.crossgrain || {};
           (pair || candidate.reference === reference),
       );
       if (!row) {
-        row = { observable: verdict.observable, setting: verdict.setting || "", reference, cells: new Map() };
+        row = {
+          observable: verdict.observable,
+          setting: verdict.setting || "",
+          reference,
+          cells: new Map(),
+        };
         rows.push(row);
       }
       const key = pair ? verdict.code + "\n" + verdict.against : verdict.code;
@@ -129,7 +134,9 @@ window.crossgrain = window.crossgrain || {};
       return el(
         "td",
         { role: "cell", "data-label": name, class: verdicts ? null : "empty" },
-        verdicts ? verdicts.map((verdict) => chip(item, verdict)) : el("span", { title: "no verdict" }, "·"),
+        verdicts
+          ? verdicts.map((verdict) => chip(item, verdict))
+          : el("span", { title: "no verdict" }, "·"),
       );
     });
     const quiet = [...row.cells.values()].flat().every(isExpected);
@@ -147,7 +154,11 @@ window.crossgrain = window.crossgrain || {};
   /** Shows or hides the rows of a long case that hold nothing unexpected. */
   function foldButton(count) {
     const text = (folded) => (folded ? "show all " + format.plural(count, "row") : "fold");
-    const button = el("button", { type: "button", class: "fold", "aria-expanded": "false" }, text(true));
+    const button = el(
+      "button",
+      { type: "button", class: "fold", "aria-expanded": "false" },
+      text(true),
+    );
     button.addEventListener("click", () => {
       const folded = button.closest("tbody").classList.toggle("folded");
       button.setAttribute("aria-expanded", String(!folded));
@@ -172,7 +183,12 @@ window.crossgrain = window.crossgrain || {};
           " ",
           item.title ? el("span", { class: "case-title" }, item.title) : null,
           explained
-            ? el("details", {}, el("summary", {}, "what and why"), el("p", {}, item.text || "", source))
+            ? el(
+                "details",
+                {},
+                el("summary", {}, "what and why"),
+                el("p", {}, item.text || "", source),
+              )
             : null,
           crossgrain.caseLink(item),
           rows > mostRows ? foldButton(rows) : null,
@@ -211,7 +227,11 @@ window.crossgrain = window.crossgrain || {};
         { role: "row", class: "groups" },
         el("td", { role: "cell" }),
         singles
-          ? el("th", { scope: "colgroup", role: "columnheader", colspan: singles }, "against a reference")
+          ? el(
+              "th",
+              { scope: "colgroup", role: "columnheader", colspan: singles },
+              "against a reference",
+            )
           : null,
         pairs
           ? el(
@@ -253,7 +273,11 @@ window.crossgrain = window.crossgrain || {};
     );
     return [
       crossgrain.matrixFilter(report, table),
-      el("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Verdict matrix" }, table),
+      el(
+        "div",
+        { class: "scroll", tabindex: 0, role: "region", "aria-label": "Verdict matrix" },
+        table,
+      ),
     ];
   };
 })(window.crossgrain);

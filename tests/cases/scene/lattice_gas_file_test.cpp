@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(unknown_words_and_keys_are_refused_with_the_nearest) {
     BOOST_TEST(gas_refusal("gravity = 0.5", "gravty = 0.5").hint == "did you mean 'gravity'?");
     BOOST_TEST(gas_refusal("every = 10", "every = 10, evry = 2").key == "scene.sample.evry");
     check_refusal(gas_refusal("every = 10", "every = 10, fields = [\"count\", \"rest\"]"),
-                  "sample.fields", 9, "names an unknown field");
+                  "sample.fields", 9, "names what is not known");
     check_refusal(gas_refusal("roughness = 0.25", "roughness = 0.25\nengine = \"fast\""), "engine",
                   9, "is not known");
 }

@@ -7,8 +7,14 @@ export async function absentChecks(check, open, document) {
   await check("without any code nothing is green", async () => {
     assert.deepEqual(await greenElements(page), []);
     const verdicts = document.cases.flatMap((item) => item.verdicts);
-    assert.equal(await page.locator('#matrix [data-verdict="not_installed"]').count(), verdicts.length);
-    assert.match(await page.locator("#outcome").innerText(), new RegExp(`${verdicts.length} not installed`));
+    assert.equal(
+      await page.locator('#matrix [data-verdict="not_installed"]').count(),
+      verdicts.length,
+    );
+    assert.match(
+      await page.locator("#outcome").innerText(),
+      new RegExp(`${verdicts.length} not installed`),
+    );
   });
   await check("without any run there is no plot, but a sentence in its place", async () => {
     assert.equal((await plots(page)).length, 0);

@@ -8,7 +8,10 @@ export async function brokenChecks(check, open, document) {
     await plots(page);
     assert.equal(await page.locator(".js-plotly-plot").count(), 0);
     for (const section of ["certificate", "lid-height", "spectrum", "convergence"])
-      assert.match(await page.locator(`#${section}`).innerText(), /There is no finite number to draw\./);
+      assert.match(
+        await page.locator(`#${section}`).innerText(),
+        /There is no finite number to draw\./,
+      );
   });
   await check("an unknown outcome is unexpected and not green", async () => {
     const count = document.cases.flatMap((item) => item.verdicts).length;

@@ -17,9 +17,15 @@ async function checkLazyDrawing(check, page, series) {
 async function checkRows(check, page, series) {
   await check("series that left their band are flagged, first and in the sentence", async () => {
     const flagged = page.locator('.history tr[data-status="left_band"]');
-    assert.equal(await flagged.count(), series.filter((entry) => entry.status === "left_band").length);
+    assert.equal(
+      await flagged.count(),
+      series.filter((entry) => entry.status === "left_band").length,
+    );
     assert.match(await flagged.first().innerText(), /left the band/);
-    assert.equal(await page.locator(".history tbody tr").first().getAttribute("data-status"), "left_band");
+    assert.equal(
+      await page.locator(".history tbody tr").first().getAttribute("data-status"),
+      "left_band",
+    );
     assert.match(
       await page.locator("#drift").innerText(),
       /^1 series left the band: cost of lammps in bed-fluid/,
@@ -35,7 +41,10 @@ async function checkRows(check, page, series) {
     assert.equal(await visible(), series.filter((entry) => entry.status === "too_few").length);
     await page.selectOption("#history-status", "all");
     await page.fill("#history-text", "exponent");
-    assert.equal(await visible(), series.filter((entry) => entry.observable.includes("exponent")).length);
+    assert.equal(
+      await visible(),
+      series.filter((entry) => entry.observable.includes("exponent")).length,
+    );
   });
 }
 

@@ -22,17 +22,23 @@ export async function manyChecks(check, open, report) {
     assert.equal(await page.evaluate(() => window.crossgrainSeries), undefined);
     assert.equal(await page.locator(".js-plotly-plot").count(), 0);
   });
-  await check("long cases are folded, filters look into them, and they can be unfolded", async () => {
-    const visible = () => page.locator("#matrix .chip:visible").count();
-    assert.equal(await visible(), 0);
-    await page.locator("#matrix .fold").first().click();
-    assert.equal(await visible(), verdicts / 40);
-    await page.selectOption("#filter-outcome", "disagree");
-    const disagree = report.document.cases
-      .flatMap((item) => item.verdicts)
-      .filter((v) => v.verdict === "disagree");
-    assert.equal(await page.locator("#matrix .chip:visible:not(.faded)").count(), disagree.length);
-  });
+  await check(
+    "long cases are folded, filters look into them, and they can be unfolded",
+    async () => {
+      const visible = () => page.locator("#matrix .chip:visible").count();
+      assert.equal(await visible(), 0);
+      await page.locator("#matrix .fold").first().click();
+      assert.equal(await visible(), verdicts / 40);
+      await page.selectOption("#filter-outcome", "disagree");
+      const disagree = report.document.cases
+        .flatMap((item) => item.verdicts)
+        .filter((v) => v.verdict === "disagree");
+      assert.equal(
+        await page.locator("#matrix .chip:visible:not(.faded)").count(),
+        disagree.length,
+      );
+    },
+  );
   await check("costs of many variants are summed by case", async () => {
     assert.equal(await page.locator("#cost tbody tr").count(), 40);
   });

@@ -3,7 +3,14 @@ import assert from "node:assert/strict";
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { phenomenaChecks } from "./check_phenomena.mjs";
-import { assertNoOverflow, assertQuiet, greenElements, openCase, part, tooltipOf } from "./page_probes.mjs";
+import {
+  assertNoOverflow,
+  assertQuiet,
+  greenElements,
+  openCase,
+  part,
+  tooltipOf,
+} from "./page_probes.mjs";
 
 /** Traces and axis types of the series plot of a case. */
 async function seriesPlot(page, name) {
@@ -29,14 +36,19 @@ async function checkReadings(check, page) {
     ]);
     const cells = await table
       .locator("tbody tr")
-      .evaluateAll((rows) => rows.map((row) => [...row.cells].slice(1).map((cell) => cell.dataset.outcomes)));
+      .evaluateAll((rows) =>
+        rows.map((row) => [...row.cells].slice(1).map((cell) => cell.dataset.outcomes)),
+      );
     assert.deepEqual(cells, [
       ["agree", "agree, disagree", "undecided, disagree"],
       ["agree", "agree", undefined],
     ]);
   });
   await check("a cell of the readings table tells each verdict with its value", async () => {
-    const text = await tooltipOf(page, table.locator("tbody tr").first().locator(".c-disagree").first());
+    const text = await tooltipOf(
+      page,
+      table.locator("tbody tr").first().locator(".c-disagree").first(),
+    );
     for (const piece of ["D/dissipation=0.5", "1.390 ± 0.015", "reason of D/dissipation=0.5"])
       assert.ok(text.includes(piece), `"${piece}" is not in "${text}"`);
   });
@@ -66,7 +78,10 @@ async function checkPictures(check, page, report) {
       await images.first().evaluate((image) => image.getBoundingClientRect().width > 100),
       "stretched",
     );
-    assert.match(await opened.locator(".picture .missing").innerText(), /could not be written: packed bytes/);
+    assert.match(
+      await opened.locator(".picture .missing").innerText(),
+      /could not be written: packed bytes/,
+    );
     const caption = await opened.locator(".picture figcaption").first().innerText();
     for (const piece of ["P/dissipation=0.1", "space-time", "red: 2 <particles>"])
       assert.ok(caption.includes(piece));
@@ -79,7 +94,10 @@ async function checkPictures(check, page, report) {
   await check("a small picture keeps its pixels", async () => {
     const image = (await openCase(page, "hopper-automaton")).locator("img");
     assert.deepEqual(
-      await image.evaluate((node) => [getComputedStyle(node).imageRendering, node.getAttribute("width")]),
+      await image.evaluate((node) => [
+        getComputedStyle(node).imageRendering,
+        node.getAttribute("width"),
+      ]),
       ["pixelated", "360"],
     );
   });
@@ -90,12 +108,10 @@ async function checkFindings(check, page, report) {
     const opened = await openCase(page, "pipe-gas-failure");
     const item = report.document.cases.find((entry) => entry.case === "pipe-gas-failure");
     assert.deepEqual(await opened.locator(".state-map caption").allInnerTexts(), ["P", "D"]);
-    assert.deepEqual(await opened.locator(".state-map").first().locator("thead th").allInnerTexts(), [
-      "gravity ↑ density →",
-      "0.5",
-      "1",
-      "10",
-    ]);
+    assert.deepEqual(
+      await opened.locator(".state-map").first().locator("thead th").allInnerTexts(),
+      ["gravity ↑ density →", "0.5", "1", "10"],
+    );
     const shown = await opened
       .locator(".state-map [data-state]")
       .evaluateAll((cells) => cells.map((c) => c.dataset.state));
@@ -108,7 +124,9 @@ async function checkFindings(check, page, report) {
     const maps = await opened
       .locator(".state-map")
       .evaluateAll((tables) =>
-        tables.map((table) => [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent))),
+        tables.map((table) =>
+          [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent)),
+        ),
       );
     const expected = (variant) => [
       ["reading ↓  density →", "0.8", "7"],
@@ -182,7 +200,9 @@ export async function modelChecks(check, open, report) {
       );
     }
   });
-  await check("no console message, no request beyond the file system (models)", () => assertQuiet(page));
+  await check("no console message, no request beyond the file system (models)", () =>
+    assertQuiet(page),
+  );
   await check("no horizontal overflow at 360 px (models)", async () => {
     const narrow = await open("index.html", { width: 360, height: 800 });
     for (const name of [

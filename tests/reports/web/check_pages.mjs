@@ -38,13 +38,15 @@ async function open(context, report, name, viewport) {
   page.problems = [];
   page.on(
     "console",
-    (message) => ["error", "warning"].includes(message.type()) && page.problems.push(message.text()),
+    (message) =>
+      ["error", "warning"].includes(message.type()) && page.problems.push(message.text()),
   );
   page.on("pageerror", (error) => page.problems.push(error.message));
   page.on("dialog", (dialog) => page.problems.push("dialog: " + dialog.message()));
   page.on(
     "request",
-    (request) => /^(file|data|blob):/.test(request.url()) || page.problems.push("request: " + request.url()),
+    (request) =>
+      /^(file|data|blob):/.test(request.url()) || page.problems.push("request: " + request.url()),
   );
   if (viewport) await page.setViewportSize(viewport);
   await page.goto(pathToFileURL(join(report.directory, name)).href);

@@ -4,14 +4,24 @@ import { countTraces, plots } from "./page_probes.mjs";
 
 export async function phenomenaChecks(check, page) {
   const section = page.locator("#models-content");
-  await check("every model has its value beside the reference, and differing rows say why", async () => {
-    const rows = await section.locator("table.models").first().locator("tbody tr").allInnerTexts();
-    assert.equal(rows.length, 2);
-    assert.match(rows[0], /V_w\/V\s+0\.459 ± 0\.004 ✗\s+1\.39 ± 0\.005 reference\s+1\.43 ± 0\.01 ✓\s+5 %/);
-    const told = await section.locator("dl").allInnerTexts();
-    assert.equal(told.length, 1, "only the row that differs is explained");
-    assert.match(told[0], /movers of the lattice gas have one speed/);
-  });
+  await check(
+    "every model has its value beside the reference, and differing rows say why",
+    async () => {
+      const rows = await section
+        .locator("table.models")
+        .first()
+        .locator("tbody tr")
+        .allInnerTexts();
+      assert.equal(rows.length, 2);
+      assert.match(
+        rows[0],
+        /V_w\/V\s+0\.459 ± 0\.004 ✗\s+1\.39 ± 0\.005 reference\s+1\.43 ± 0\.01 ✓\s+5 %/,
+      );
+      const told = await section.locator("dl").allInnerTexts();
+      assert.equal(told.length, 1, "only the row that differs is explained");
+      assert.match(told[0], /movers of the lattice gas have one speed/);
+    },
+  );
   await check("a title is text, whatever it looks like", async () => {
     assert.match(await section.locator("table.models thead").first().innerText(), /lattice <gas>/);
   });

@@ -1,6 +1,13 @@
 // index.html of a document with every kind of verdict, series and failure.
 import assert from "node:assert/strict";
-import { assertNoOverflow, assertQuiet, countTraces, greenElements, plots, tooltipOf } from "./page_probes.mjs";
+import {
+  assertNoOverflow,
+  assertQuiet,
+  countTraces,
+  greenElements,
+  plots,
+  tooltipOf,
+} from "./page_probes.mjs";
 
 async function checkMatrix(check, page, verdicts) {
   await check("every verdict has its cell, in words", async () => {
@@ -50,7 +57,10 @@ async function checkFilter(check, page, verdicts) {
     assert.equal(await visible(), verdicts.filter((v) => v.verdict === "disagree").length);
     await page.selectOption("#filter-case", "bed-fluid");
     assert.equal(await visible(), 0);
-    assert.equal(await page.locator("#filter-status").innerText(), `0 of ${verdicts.length} verdicts`);
+    assert.equal(
+      await page.locator("#filter-status").innerText(),
+      `0 of ${verdicts.length} verdicts`,
+    );
     await page.selectOption("#filter-outcome", "all");
     assert.equal(await visible(), verdicts.filter((v) => v.case === "bed-fluid").length);
     await page.selectOption("#filter-case", "all");
@@ -65,7 +75,10 @@ async function checkPlots(check, page, document) {
     document.cases.flatMap((item) => item.series).filter((entry) => entry.name === name);
   await check("each plot has as many traces as the document has series", () => {
     assert.equal(countTraces(named("lid-height")[0], "height"), series("lid-height").length);
-    assert.equal(countTraces(named("lid-height")[0], "difference"), series("lid-height").length - 1);
+    assert.equal(
+      countTraces(named("lid-height")[0], "difference"),
+      series("lid-height").length - 1,
+    );
     assert.equal(named("spectrum").length, 3);
     for (const plot of named("spectrum")) {
       assert.equal(countTraces(plot, "spectrum"), series("spectrum").length);
@@ -98,7 +111,10 @@ async function checkPlots(check, page, document) {
 
 async function checkMissing(check, page) {
   await check("missing parts say what is missing", async () => {
-    assert.match(await page.locator("#lid-height").innerText(), /No run of bed-deep in this store\./);
+    assert.match(
+      await page.locator("#lid-height").innerText(),
+      /No run of bed-deep in this store\./,
+    );
     assert.match(
       await page.locator('[data-case="bed-deep"]').innerText(),
       /No run of bed-deep in this store\./,
@@ -129,7 +145,8 @@ export async function reportChecks(check, open, document) {
       .locator("table")
       .evaluateAll(
         (tables) =>
-          tables.filter((t) => !t.caption || [...t.querySelectorAll("th")].some((th) => !th.scope)).length,
+          tables.filter((t) => !t.caption || [...t.querySelectorAll("th")].some((th) => !th.scope))
+            .length,
       );
     assert.equal(bad, 0);
   });
@@ -141,7 +158,9 @@ export async function reportChecks(check, open, document) {
     );
     await page.emulateMedia({ media: "screen", colorScheme: "light" });
   });
-  await check("no console message, no request beyond the file system (report)", () => assertQuiet(page));
+  await check("no console message, no request beyond the file system (report)", () =>
+    assertQuiet(page),
+  );
   for (const width of [360, 1400]) {
     await check(`no horizontal overflow at ${width} px (report)`, async () => {
       const narrow = await open("index.html", { width, height: 800 });

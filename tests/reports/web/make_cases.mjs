@@ -14,7 +14,12 @@ function collisionVerdicts() {
     limit_reason,
     unit: "1",
   };
-  const time = { observable: "contact-time", kind: "exact", against: "analytic:contact-time", setting };
+  const time = {
+    observable: "contact-time",
+    kind: "exact",
+    against: "analytic:contact-time",
+    setting,
+  };
   const parity = {
     observable: "restitution",
     kind: "parity",
@@ -31,7 +36,9 @@ function collisionVerdicts() {
       expected: false,
       reason: "error grows linearly with dt; the catalogue expects second order",
     }),
-    ...codes.map((code, i) => verdict({ code, ...time }, [[1.2e-6, 1.2e-6, -8.0e-6, 9.1e-6][i], 0, 1e-5])),
+    ...codes.map((code, i) =>
+      verdict({ code, ...time }, [[1.2e-6, 1.2e-6, -8.0e-6, 9.1e-6][i], 0, 1e-5]),
+    ),
     verdict({ code: "native-dem", against: "lammps", ...parity }, [1.1e-15, 0, 1e-12]),
   ];
 }
@@ -55,7 +62,11 @@ function collisionNormal() {
 }
 
 function gasParity() {
-  const question = { code: "native-dem", observable: "max-displacement-difference", kind: "parity" };
+  const question = {
+    code: "native-dem",
+    observable: "max-displacement-difference",
+    kind: "parity",
+  };
   const limit_reason = "round-off times the growth of a hard-disc gas";
   const parity = (against, after, numbers, ...rest) =>
     verdict({ ...question, against, limit_reason, setting: "after " + after }, numbers, ...rest);
@@ -79,7 +90,9 @@ function gasParity() {
       parity("liggghts", "100 contact times", [3e-6, 0, 1e-6], "undecided", {
         reason: "left the limit late, as chaos does",
       }),
-      parity("yade", "10 contact times", [null, null, 1e-11], "not_expressible", { reason: inexpressible }),
+      parity("yade", "10 contact times", [null, null, 1e-11], "not_expressible", {
+        reason: inexpressible,
+      }),
     ],
     series: [],
   };
@@ -110,7 +123,9 @@ function bedVerdicts() {
     }),
     verdict({ ...pair, against: "lammps" }, [0.02, 0.06, 0.15]),
     verdict({ ...pair, against: "liggghts" }, [-0.03, 0.07, 0.15]),
-    verdict(flux, [null, null, null], "no_reference", { reason: "the reference has no number yet" }),
+    verdict(flux, [null, null, null], "no_reference", {
+      reason: "the reference has no number yet",
+    }),
   ];
 }
 

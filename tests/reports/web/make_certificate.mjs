@@ -71,4 +71,5 @@ const bed = [
   ),
 ];
 
-export const certificate = () => structuredClone({ length_unit: "grain diameters", pairs: [...gas, ...bed] });
+export const certificate = () =>
+  structuredClone({ length_unit: "grain diameters", pairs: [...gas, ...bed] });

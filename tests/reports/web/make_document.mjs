@@ -43,7 +43,8 @@ function absent() {
     expected: true,
     reason,
   };
-  for (const entry of report.codes) Object.assign(entry, { status: "not_installed", version: "", reason });
+  for (const entry of report.codes)
+    Object.assign(entry, { status: "not_installed", version: "", reason });
   for (const item of report.cases) {
     item.runs = item.runs.map((entry) => absentRun(entry.code, "not_installed", reason));
     item.verdicts = item.verdicts.map((entry) => ({ ...entry, ...unanswered }));
@@ -66,7 +67,8 @@ function broken() {
     }));
     for (const run of item.runs) Object.assign(run, { cpu_s: null, settings: null });
     for (const picture of item.pictures || []) Object.assign(picture, { palette: null });
-    for (const finding of item.findings || []) Object.assign(finding, { label: null, detail: null });
+    for (const finding of item.findings || [])
+      Object.assign(finding, { label: null, detail: null });
   }
   for (const pair of report.certificate.pairs)
     Object.assign(pair, {
@@ -81,7 +83,12 @@ function broken() {
   return report;
 }
 
-const withCases = (cases) => ({ ...rich(), cases, certificate: { pairs: [] }, history: { series: [] } });
+const withCases = (cases) => ({
+  ...rich(),
+  cases,
+  certificate: { pairs: [] },
+  history: { series: [] },
+});
 const models = () => ({
   ...withCases(modelCases()),
   phenomena: phenomena(),

@@ -18,7 +18,15 @@ export function run(code, work, extra) {
 }
 
 export function absentRun(code, status, reason, log_tail = "") {
-  return run(code, 1, { status, reason, log_tail, cpu_s: null, wall_s: null, work: null, cached: false });
+  return run(code, 1, {
+    status,
+    reason,
+    log_tail,
+    cpu_s: null,
+    wall_s: null,
+    work: null,
+    cached: false,
+  });
 }
 
 export function measurement(code, observable, value, stderr, extra) {

@@ -114,7 +114,9 @@ function pipeGasFig6() {
     ),
     verdicts: [
       ...variants.map(alphaVerdict),
-      ...["P", "D"].map((reading) => verdict({ ...trend, setting: reading, reading }, [0.01, 0.02, 0.1])),
+      ...["P", "D"].map((reading) =>
+        verdict({ ...trend, setting: reading, reading }, [0.01, 0.02, 0.1]),
+      ),
     ],
     series: variants.flatMap(({ name }, i) => gasSeries(name, 1.33 + 0.02 * i, 200)),
     pictures: [
@@ -131,7 +133,11 @@ function pipeGasFig6() {
 /** One number and two names: readings take the other side, variants beside the sweep make maps. */
 function pipeGasLimits() {
   const code = "native-lga";
-  const { variants } = swept({ reading: ["P", "D"], density: [7, 0.8], variant: ["rough", "smooth"] });
+  const { variants } = swept({
+    reading: ["P", "D"],
+    density: [7, 0.8],
+    variant: ["rough", "smooth"],
+  });
   const named = variants.map(({ parameters }) => ({
     name: parameters.reading + "/density=" + parameters.density + "/" + parameters.variant,
     parameters,
@@ -146,11 +152,23 @@ function pipeGasLimits() {
   };
 }
 
-const mapStates = ["steady", "ageing", "absorbing", "saturated", "clogged", "no steady state", "melted"];
+const mapStates = [
+  "steady",
+  "ageing",
+  "absorbing",
+  "saturated",
+  "clogged",
+  "no steady state",
+  "melted",
+];
 
 /** Two numbers and a name: one map per reading. */
 function pipeGasFailure() {
-  const { sweep, variants } = swept({ reading: ["P", "D"], density: [0.5, 1, 10], gravity: [0.01, 0.5] });
+  const { sweep, variants } = swept({
+    reading: ["P", "D"],
+    density: [0.5, 1, 10],
+    gravity: [0.01, 0.5],
+  });
   const code = "native-lga";
   const some = variants.slice(0, -1); // the last one has not run
   return {
@@ -219,9 +237,20 @@ function hopperAutomaton() {
 }
 
 function bedSolid() {
-  const places = range(60, (i) => [i % 10, Math.floor(i / 10), 0.3 * Math.cos(i), 0.3 * Math.sin(i)]);
+  const places = range(60, (i) => [
+    i % 10,
+    Math.floor(i / 10),
+    0.3 * Math.cos(i),
+    0.3 * Math.sin(i),
+  ]);
   const values = range(4, (column) => places.map((place) => place[column]));
-  const field = { code: "native-dem", variant: "", replica: 0, rung: 0, name: "displacement-field" };
+  const field = {
+    code: "native-dem",
+    variant: "",
+    replica: 0,
+    rung: 0,
+    name: "displacement-field",
+  };
   return {
     case: "bed-solid",
     title: "bed below fluidisation",
@@ -260,16 +289,26 @@ export function manyCases(cases, readings, values) {
       case: "case-" + (c + 1),
       sweep,
       variants,
-      runs: variants.flatMap(({ name }) => [0, 1].map((replica) => ({ ...modelRun(code, name), replica }))),
+      runs: variants.flatMap(({ name }) =>
+        [0, 1].map((replica) => ({ ...modelRun(code, name), replica })),
+      ),
       measurements: variants.flatMap(({ name }, i) =>
-        questions.map((observable) => measurement(code, observable, 1 + 0.01 * i, 0.01, { variant: name })),
+        questions.map((observable) =>
+          measurement(code, observable, 1 + 0.01 * i, 0.01, { variant: name }),
+        ),
       ),
       verdicts: variants.flatMap((variant, i) =>
-        questions.map((observable) => ({ ...alphaVerdict(variant, i % 4), observable, expected: true })),
+        questions.map((observable) => ({
+          ...alphaVerdict(variant, i % 4),
+          observable,
+          expected: true,
+        })),
       ),
       series: variants.flatMap(({ name }) => gasSeries(name, 1.3, 300)),
       pictures: variants.map(({ name }) => picture(code, name, "space-time", 40, 60)),
-      findings: variants.map(({ name }, i) => finding(code, name, "state", mapStates[i % mapStates.length])),
+      findings: variants.map(({ name }, i) =>
+        finding(code, name, "state", mapStates[i % mapStates.length]),
+      ),
     };
   });
 }

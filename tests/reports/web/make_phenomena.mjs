@@ -47,7 +47,12 @@ export const phenomena = () => [
         ],
         "movers of the lattice gas have one speed",
       ),
-      row("k^-a", "agree", [cell("native", 1, 0), cell("yade", 1, 0, { verdict: "agree" })], "nothing"),
+      row(
+        "k^-a",
+        "agree",
+        [cell("native", 1, 0), cell("yade", 1, 0, { verdict: "agree" })],
+        "nothing",
+      ),
     ],
     pictures: [],
     figures: [
@@ -56,7 +61,13 @@ export const phenomena = () => [
         x: "theta",
         y: "P",
         curves: [
-          { title: "automaton", code: "native-hopper", x: [10, 30, 90], y: [1, 0.3, 0.02], stderr: [0, 0.1, 0.01] },
+          {
+            title: "automaton",
+            code: "native-hopper",
+            x: [10, 30, 90],
+            y: [1, 0.3, 0.02],
+            stderr: [0, 0.1, 0.01],
+          },
           { title: "YADE", code: "yade", x: [30, 60], y: [0.4, 0.05], stderr: [0, 0] },
         ],
       },

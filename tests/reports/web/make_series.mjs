@@ -38,7 +38,8 @@ function spectrum(code, k) {
   const values = [K];
   for (const { id, exponent, level } of layerGroups) {
     const S = K.map(
-      (value, i) => level * Math.pow(value, exponent) * (1 + 0.12 * wobble(i + 40 * k)) + level * 3e-3,
+      (value, i) =>
+        level * Math.pow(value, exponent) * (1 + 0.12 * wobble(i + 40 * k)) + level * 3e-3,
     );
     columns.push("S_" + id, "err_" + id);
     values.push(
@@ -66,7 +67,15 @@ function spectrumFit(code, k) {
     0.04,
     level,
   ]);
-  const columns = ["layer_first", "layer_last", "k_min", "k_max", "exponent", "exponent_err", "amplitude"];
+  const columns = [
+    "layer_first",
+    "layer_last",
+    "k_min",
+    "k_max",
+    "exponent",
+    "exponent_err",
+    "amplitude",
+  ];
   return {
     code,
     variant: "full",

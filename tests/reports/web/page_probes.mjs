@@ -7,7 +7,11 @@ export async function plots(page) {
     window.crossgrain.plot.drawAll();
     return [...document.querySelectorAll("[data-plot].js-plotly-plot")].map((plot) => ({
       name: plot.dataset.plot,
-      traces: plot.data.map((trace) => ({ meta: trace.meta, name: trace.name, points: trace.x.length })),
+      traces: plot.data.map((trace) => ({
+        meta: trace.meta,
+        name: trace.name,
+        points: trace.x.length,
+      })),
       axes: Object.entries(plot.layout)
         .filter(([key]) => /^[xy]axis/.test(key))
         .map(([, axis]) => axis.title.text),
@@ -39,7 +43,8 @@ export async function tooltipOf(page, target) {
   return page.locator("#tooltip").innerText();
 }
 
-export const countTraces = (plot, meta) => plot.traces.filter((trace) => trace.meta === meta).length;
+export const countTraces = (plot, meta) =>
+  plot.traces.filter((trace) => trace.meta === meta).length;
 
 /** Elements that show green in any way, as "tag.class: text". */
 export async function greenElements(page) {
@@ -48,9 +53,18 @@ export async function greenElements(page) {
       const [r, g, b, a = 1] = (color.match(/[\d.]+/g) || []).map(Number);
       return a > 0 && g > r + 3 && g > b + 3;
     };
-    const properties = ["color", "backgroundColor", "borderLeftColor", "borderTopColor", "fill", "stroke"];
+    const properties = [
+      "color",
+      "backgroundColor",
+      "borderLeftColor",
+      "borderTopColor",
+      "fill",
+      "stroke",
+    ];
     return [...document.querySelectorAll("body *")]
-      .filter((element) => properties.some((property) => isGreen(getComputedStyle(element)[property])))
+      .filter((element) =>
+        properties.some((property) => isGreen(getComputedStyle(element)[property])),
+      )
       .map((element) => ({
         text: element.textContent.trim().slice(0, 60),
         agree: element.closest(".c-agree, .v-agree, .t-agree") !== null,
