@@ -116,6 +116,7 @@ observable)
     add "$observables_tests/CMakeLists.txt" "measure_tests(${observables##*/} $snake)"
     add_include "$observables_registry" "$observables/$snake.hpp"
     add "$observables_registry" "{\"$name\",
+ \"${observables##*/}\",
  \"$snake: TODO, until then the mean kinetic energy of a grain\",
  {\"skip\"},
  [](const Scene& scene, const ObservableRequest& request) -> EstimatorPointer {
@@ -160,7 +161,7 @@ list(APPEND rule_adapters/registry $folder)"
     add "$program_list" "$folder"
     add_include "$codes_registry" "$folder/${snake}_code.hpp"
     add "$codes_registry" \
-        "list.push_back(std::make_unique<${camel}Code>(program_version()));"
+        "list.push_back(engine<${camel}Code>({\"$folder\"}));"
     hint="README.md and ARCHITECTURE.md have tables of codes and of folders"
     ;;
 esac

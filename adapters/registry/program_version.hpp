@@ -1,4 +1,4 @@
-// What this program calls itself, which is also the version of the native codes.
+// What this program calls itself.
 #pragma once
 
 #include <string>
@@ -7,5 +7,8 @@ namespace crossgrain::adapters {
 
 /// e.g. "0.1.0 (source 1a2b3c4d)": the digest covers every source that decides a number.
 [[nodiscard]] std::string program_version();
+
+/// e.g. "0.1.0".
+[[nodiscard]] std::string release_version();
 
 }  // namespace crossgrain::adapters

@@ -1,8 +1,9 @@
 #include "adapters/run/plan.hpp"
 
-#include "adapters/registry/program_version.hpp"
-
+#include "adapters/registry/codes.hpp"
+#include "adapters/registry/source_keys.hpp"
 #include "adapters/run/model_runs.hpp"
+#include "cases/observables/observables.hpp"
 #include "native/base/digest.hpp"
 #include "native/base/errors.hpp"
 
@@ -82,12 +83,14 @@ std::string run_key(const PlannedRun& run) {
     // The scene's name is a label: renaming a case must not recompute it.
     scene::AnyScene unnamed = *run.scene;
     std::visit([](auto& s) { s.name.clear(); }, unnamed);
-    nlohmann::json identity{{"scene", scene::identity_json(unnamed)},
-                            {"observables", observables_json(*run.owner)},
-                            {"code", run.code->name()},
-                            {"version", run.record.version},
-                            {"digest", run.record.digest},
-                            {"program", adapters::program_version()}};
+    nlohmann::json identity{
+        {"scene", scene::identity_json(unnamed)},
+        {"observables", observables_json(*run.owner)},
+        {"code", run.code->name()},
+        {"version", run.record.version},
+        {"digest", run.record.digest},
+        {"sources", adapters::code_source_key(run.code->name())},
+        {"estimators", adapters::source_key(observables::source_folders(*run.owner))}};
     for (const auto& file : input_of(*run.code, unnamed))
         identity["input"][file.name] = file.text;
     return sha256(identity.dump());

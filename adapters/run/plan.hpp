@@ -36,7 +36,8 @@ struct PlannedRun {
                                            const std::stop_token& stop = {});
 
 /// SHA-256 over all that decides the run's numbers: scene, input files, observables, the code, its
-/// version and its program, and our own sources.
+/// version and its program, and of our own sources those of the code and of the case's estimators
+/// with what they include.
 [[nodiscard]] std::string run_key(const PlannedRun& run);
 
 }  // namespace crossgrain::run

@@ -2,7 +2,6 @@
 
 #include "adapters/process/scratch_directory.hpp"
 #include "adapters/registry/codes.hpp"
-#include "adapters/registry/program_version.hpp"
 #include "adapters/run/store/run_claim.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/prepared_state.hpp"
@@ -104,7 +103,7 @@ Preparations::Preparations(fs::path directory, const adapters::GrainCode& engine
 Preparations preparations_in(const Execution& settings) {
     const auto* engine =
         dynamic_cast<const adapters::GrainCode*>(adapters::select_codes({"native-dem"}).front());
-    return {fs::absolute(settings.results) / "prepared", *engine, adapters::program_version(),
+    return {fs::absolute(settings.results) / "prepared", *engine, engine->probe().version,
             *settings.monitor};
 }
 

@@ -18,6 +18,7 @@ struct ModelObservable {
     using Subject = SubjectT;
     using Frame = FrameT;
     std::string name;
+    std::string folder;                ///< of the estimator, below cases/measure
     std::string measures;              ///< measurements, series, pictures, findings, in words
     std::vector<std::string> options;  ///< of [[observable]] in a case file
     std::function<std::unique_ptr<measure::EstimatorOf<FrameT>>(const SubjectT&,

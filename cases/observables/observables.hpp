@@ -16,6 +16,10 @@ struct ObservableText {
 
 [[nodiscard]] std::vector<ObservableText> observable_texts();
 
+/// Folders whose sources decide what a case measures, e.g. "cases/measure/bed"; sorted. Throws
+/// CaseError for an unknown observable.
+[[nodiscard]] std::vector<std::string> source_folders(const catalog::Case& the_case);
+
 /// Builds every estimator of every variant once, so that an unknown name or option, or a scene that
 /// an observable cannot measure, is found before any run. Throws CaseError.
 void check_observables(const catalog::Case& the_case);

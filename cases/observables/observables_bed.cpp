@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 namespace crossgrain::observables {
@@ -125,41 +126,57 @@ const std::vector<GrainObservable>& grain_observables() {
     static const std::vector<GrainObservable> all = [] {
         std::vector<GrainObservable> entries{
             {"pair-collision",
+             "collision",
              "restitution, contact_time, speed_ratio, angular_momentum_ratio of isolated pairs",
              {},
              make_plain<measure::PairCollision>},
             {"plate-bounce",
+             "collision",
              "plate_restitution, plate_contact_time, plate_momentum_error of isolated grains",
              {},
              make_plain<measure::PlateBounce>},
             {"trajectory",
+             "collision",
              "positions at given times, compared between codes",
              {"at_contact_times"},
              make_trajectory},
-            {"momentum", "momentum_drift_x, momentum_drift_y", {}, make_plain<measure::Momentum>},
+            {"momentum",
+             "collision",
+             "momentum_drift_x, momentum_drift_y",
+             {},
+             make_plain<measure::Momentum>},
             {"energy-balance",
+             "bed",
              "energy_residual, mean_energy, mean_energy_input, mean_dissipation, "
              "energy_above_ground, "
              "input_per_period, energy_per_input; energies against time",
              {"skip", "samples_per_frame", "accurate_within"},
              make_energy_balance},
-            {"lid-height", "mean_lid_height; h(t), bottom and spacing", {"skip"}, make_lid_height},
+            {"lid-height",
+             "bed",
+             "mean_lid_height; h(t), bottom and spacing",
+             {"skip"},
+             make_lid_height},
             {"displacement-spectrum",
+             "bed",
              "S(K, Y) by groups of layers, slope_..., slope_tail_..., displacement_vectors, the "
              "last "
              "vector of every grain",
              {"spacing", "skip", "crossing", "k_min", "k_max"},
              make_displacement_spectrum},
             {"velocity-spectrum",
+             "bed",
              "E(K, t) of a lattice at times, phases or over a window: velocity_slope_..., "
              "transverse_energy_...; slopes against time",
              {"clock", "at", "phases", "skip", "from", "to", "k_min", "k_max"},
              make_velocity_spectrum},
             {"lattice-order",
+             "bed",
              "foreign_contacts, lattice_kept_until: whether rows slid through each other",
              {},
              make_plain<measure::LatticeOrder>},
             {"flow-depth",
+             "bed",
              "flow_depth, flowing_layers, lost_bonds of a vibrated bed; lost bonds by layer",
              {"skip", "share"},
              make_flow_depth},
@@ -182,6 +199,21 @@ std::vector<ObservableText> observable_texts() {
     add("lattice-gas", gas_observables());
     add("hopper-automaton", hopper_observables());
     return texts;
+}
+
+std::vector<std::string> source_folders(const catalog::Case& the_case) {
+    // The lists here say which options an estimator gets.
+    std::set<std::string> folders{"cases/observables"};
+    const auto scene = the_case.scene(0, 0, 1);
+    std::visit(
+        [&](const auto& own) {
+            for (const auto& request : the_case.observables) {
+                const auto& entry = entry_for(observables_of(own), the_case, request);
+                folders.insert("cases/measure/" + entry.folder);
+            }
+        },
+        scene);
+    return {folders.begin(), folders.end()};
 }
 
 void check_observables(const catalog::Case& the_case) {

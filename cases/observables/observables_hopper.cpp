@@ -91,30 +91,36 @@ EstimatorPointer make_damage(const HopperAutomaton& scene, const ObservableReque
 const std::vector<HopperObservable>& hopper_observables() {
     static const std::vector<HopperObservable> all{
         {"hopper-stagnation",
+         "hopper",
          "moving_fraction (P), exponent_..., critical_angle...; P(theta) and its fits, the wall's "
          "profile",
          {"at", "profile_at"},
          make_stagnation},
         {"hopper-flow",
+         "hopper",
          "flow_rate, flow_exponent, filling_at_first_loss, residue; rate and filling against "
          "iterations",
          {"down_to"},
          make_flow},
         {"hopper-surface",
+         "hopper",
          "crater_depth, crater_half_width, surface_slope, surface_slope_steepest, "
          "surface_scatter; the profile",
          {},
          make_surface},
         {"hopper-pattern",
+         "hopper",
          "neighbour_correlation, correlation_length_x and _y, vertical_fraction, "
          "pattern_velocity..., asymmetry, mirror_imbalance_sites and _grains; state",
          {"half_width", "from", "to", "lag", "window"},
          make_pattern},
         {"hopper-damage",
+         "hopper",
          "damage, damaged_trials, shape_difference of twins; damage against iterations",
          {},
          make_damage},
         {"hopper-picture",
+         "hopper",
          "the orientations and the free surface",
          {"at", "largest"},
          make_picture},

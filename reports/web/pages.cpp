@@ -36,8 +36,8 @@ std::filesystem::path page_file(Page page, const run::Execution& settings) {
 void write_page(Page page, const nlohmann::json& document, const run::Execution& settings) {
     if (!has_pages) {
         const auto file = page_file(page, settings);
-        settings.monitor->remark(fmt::format("this build has no pages (CROSSGRAIN_PAGES=OFF): {} has their data",
-                       file.string()));
+        settings.monitor->remark(fmt::format(
+            "this build has no pages (CROSSGRAIN_PAGES=OFF): {} has their data", file.string()));
         remove_unfinished_files(file.parent_path());
         write_file_atomically(file, json_text(document, 1) + "\n");
         return;

@@ -1,6 +1,6 @@
 #include "reports/studies/stability/stability_search.hpp"
 
-#include "adapters/registry/program_version.hpp"
+#include "adapters/registry/source_keys.hpp"
 
 #include "adapters/process/scratch_directory.hpp"
 #include "native/base/digest.hpp"
@@ -83,7 +83,7 @@ std::string key_of(const ThresholdSearch& search) {
                                  {"code", search.code->name()},
                                  {"version", search.version},
                                  {"digest", search.digest},
-                                 {"program", adapters::program_version()}}
+                                 {"sources", adapters::source_key({"adapters/program"})}}
                       .dump());
 }
 

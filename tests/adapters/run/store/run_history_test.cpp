@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_run_comes_back_as_it_was_stored_bit_for_bit) {
     BOOST_TEST(found->version == run.version);
     BOOST_TEST(found->replica == run.replica);
     BOOST_TEST(found->seed == run.seed);
-    BOOST_TEST(found->status == run.status);
+    BOOST_TEST((found->status == run.status));
     BOOST_TEST(found->settings_json == run.settings_json);
     BOOST_TEST(found->cpu_s == run.cpu_s);
     BOOST_TEST(found->wall_s == run.wall_s);
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(the_newest_run_is_found_also_when_it_failed) {
     BOOST_TEST(results.find("key").value().results.measurements.at(0).value == 2.0);
     // An older success must not hide that it does not work any more.
     (void)results.add(failed_run("key"));
-    BOOST_TEST(results.find("key").value().status == store::RunStatus::run_failed);
+    BOOST_TEST((results.find("key").value().status == store::RunStatus::run_failed));
     BOOST_TEST(results.find("key").value().reason == failed_run("key").reason);
 }
 
