@@ -13,7 +13,6 @@ namespace crossgrain::compare {
 namespace {
 
 using numerics::mean_with_error;
-using numerics::MeanWithError;
 using Settings = std::span<const std::vector<double>>;
 
 constexpr double level = 0.05;
