@@ -67,7 +67,7 @@ rm -f "$work/called"
 export PATH=$work/bin:$PATH
 cmake --preset release -DCROSSGRAIN_PAGES=OFF >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 grep -q 'Without report pages' "$work/log" || fail 'configuring does not tell of pages'
-tests=(demo_code measure_mean_demo analytic_demo_time catalog_shipped_cases app_pages)
+tests=(demo_code measure_mean_demo analytic_demo_time catalog_shipped_cases reports_pages)
 cmake --build --preset release --target program "${tests[@]/#/test_}" >"$work/log" 2>&1 ||
     { tail -n 60 "$work/log"; exit 1; }
 pattern=$(IFS='|'; echo "${tests[*]}")

@@ -133,6 +133,19 @@ BOOST_AUTO_TEST_CASE(the_newest_run_is_found_also_when_it_failed) {
     BOOST_TEST(results.find("key").value().reason == failed_run("key").reason);
 }
 
+BOOST_AUTO_TEST_CASE(a_run_that_ran_out_of_time_is_told_from_one_that_failed) {
+    const tests::TemporaryDirectory directory;
+    Store results(directory.path());
+    auto late = failed_run("late");
+    late.status = store::RunStatus::timed_out;
+    (void)results.add(late);
+    BOOST_TEST((results.find("late").value().status == store::RunStatus::timed_out));
+    // Documents have one word for both.
+    BOOST_TEST(to_string(store::RunStatus::timed_out) == "run_failed");
+    BOOST_TEST(has_failed(store::RunStatus::timed_out));
+    BOOST_TEST(!has_failed(store::RunStatus::not_run));
+}
+
 BOOST_AUTO_TEST_CASE(the_program_behind_a_version_is_known) {
     const tests::TemporaryDirectory directory;
     Store results(directory.path());
