@@ -151,12 +151,7 @@ int compare_cases(const Settings& settings) {
 int certify_cases(const Settings& settings, std::stop_token stop) {
     Settings parity = settings;
     if (parity.cases.empty()) {
-        parity.cases = {"gas-parity",
-                        "bed-parity",
-                        "collision-friction",
-                        "frozen-friction",
-                        "polydisperse-friction",
-                        "gas-friction"};
+        parity.cases = session::certifiable_cases();
         if (settings.suite == catalog::Suite::full) parity.cases.push_back("attribution-friction");
     }
     store::Store store = session::open_store(settings, store::Access::write_later);

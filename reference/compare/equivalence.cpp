@@ -48,7 +48,23 @@ std::string what_would_decide(const EquivalenceQuestion& q, const EquivalenceAns
     return text + " would decide if the difference stays";
 }
 
+/// Of the sum of two errors; of the only one, if the other number is exact.
+double joint_degrees_of_freedom(const Operand& a, const Operand& b) {
+    if (b.standard_error == 0) return a.degrees_of_freedom;
+    if (a.standard_error == 0) return b.degrees_of_freedom;
+    if (!(a.degrees_of_freedom > 0 && b.degrees_of_freedom > 0)) return 0;
+    return welch_degrees_of_freedom(a.standard_error, a.degrees_of_freedom, b.standard_error,
+                                    b.degrees_of_freedom);
+}
+
 }  // namespace
+
+EquivalenceQuestion question_of(const Operand& a, const Operand& b, double margin) {
+    return {.difference = a.value - b.value,
+            .standard_error = std::hypot(a.standard_error, b.standard_error),
+            .degrees_of_freedom = joint_degrees_of_freedom(a, b),
+            .margin = margin};
+}
 
 EquivalenceAnswer equivalence(const EquivalenceQuestion& q) {
     check(q);

@@ -24,6 +24,18 @@ struct EquivalenceQuestion {
     double margin = 0;  ///< > 0; >= 0 if standard_error is 0
 };
 
+/// One of the two numbers of a comparison; of a closed form only the value, of a published number
+/// its value and error.
+struct Operand {
+    double value = 0;
+    double standard_error = 0;
+    double degrees_of_freedom = std::numeric_limits<double>::infinity();
+};
+
+/// a - b with both errors and the degrees of freedom of their sum (Welch, Biometrika 34, 28
+/// (1947)); none if an error rests on none.
+[[nodiscard]] EquivalenceQuestion question_of(const Operand& a, const Operand& b, double margin);
+
 struct EquivalenceAnswer {
     Outcome outcome = Outcome::undecided;  ///< agree, disagree or undecided
     double half_width_90 = 0;              ///< t_{0.95} s

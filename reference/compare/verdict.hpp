@@ -62,8 +62,9 @@ struct Verdict {
     std::string absent_code;
     /// Signed where a sign makes sense; not a number while nothing was compared.
     double difference = std::numeric_limits<double>::quiet_NaN();
-    double uncertainty = 0;  ///< half-width of the 95 % interval of `difference`
-    double limit = 0;        ///< tolerance or equivalence margin
+    double uncertainty = 0;     ///< half-width of the 95 % interval of `difference`
+    double standard_error = 0;  ///< of `difference`
+    double limit = 0;           ///< tolerance or equivalence margin
     std::string limit_reason;
     Outcome outcome = Outcome::undecided;
     bool expected = true;

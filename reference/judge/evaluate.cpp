@@ -1,6 +1,7 @@
 #include "reference/judge/evaluate.hpp"
 
 #include "cases/scene/any_scene.hpp"
+#include "reference/compare/equivalence_power.hpp"
 
 #include <algorithm>
 #include <set>
@@ -168,6 +169,23 @@ compare::Verdict blank_verdict(const catalog::Case& the_case, const catalog::Che
         verdict.rule_variant.clear();
     }
     return verdict;
+}
+
+compare::Operand operand_of(const compare::Combined& combined) {
+    return {.value = combined.measurement.value,
+            .standard_error = combined.measurement.standard_error,
+            .degrees_of_freedom = combined.degrees_of_freedom};
+}
+
+void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+                      const std::string& other, const compare::EquivalenceQuestion& question,
+                      std::size_t replicas, compare::Verdict& verdict) {
+    const auto answer = compare::equivalence(question);
+    verdict.difference = question.difference;
+    verdict.uncertainty = answer.half_width_95;
+    verdict.standard_error = question.standard_error;
+    compare::state_evidence(question, replicas, verdict);
+    conclude(runs, check, variant, other, answer.outcome, answer.reason, verdict);
 }
 
 void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,

@@ -2,6 +2,7 @@
 // the certificate of equivalence. Computes no physics; everything comes from stored results.
 #pragma once
 
+#include "reference/compare/equivalence.hpp"
 #include "reference/judge/case_runs.hpp"
 #include "reference/published/published.hpp"
 
@@ -25,6 +26,7 @@ struct ConvergenceCurve {
     std::string code, variant, observable;
     std::vector<double> dt, mean_error, rms_error;
     double order = 0, order_error = 0, limit = 0, limit_error = 0;
+    double order_degrees_of_freedom = 0;
 };
 
 /// How far two codes stayed together.
@@ -71,6 +73,8 @@ void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
                         const published::PublishedValues& literature, Evaluation& evaluation);
 void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
                     const published::PublishedValues& literature, Evaluation& evaluation);
+/// Whether a parity check of the case looks at trajectories or at a window of a series.
+[[nodiscard]] bool can_be_certified(const catalog::Case& the_case);
 /// To be called after the parity checks.
 void evaluate_certificate(const CaseRuns& runs, Evaluation& evaluation);
 
@@ -97,6 +101,13 @@ measured(const CaseRuns& runs, const Evaluation& evaluation, const std::string& 
                                              std::size_t variant);
 /// What a check against the literature names, without "published:".
 [[nodiscard]] std::string published_id(const catalog::Check& check);
+/// Equivalence of two numbers within the verdict's limit: difference, uncertainty, p-values, and
+/// conclude(). `replicas`: the fewer of both.
+void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+                      const std::string& other, const compare::EquivalenceQuestion& question,
+                      std::size_t replicas, compare::Verdict& verdict);
+/// A measurement as an operand of a comparison.
+[[nodiscard]] compare::Operand operand_of(const compare::Combined& combined);
 /// Sets the outcome, its reason, and whether the catalogue expects it. `other` is the second code
 /// of a pair, or empty.
 void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,

@@ -4,7 +4,6 @@
 #include "reference/oracles/oracles.hpp"
 
 #include "reference/compare/convergence.hpp"
-#include "reference/compare/equivalence_power.hpp"
 
 #include <fmt/format.h>
 
@@ -118,16 +117,6 @@ std::vector<compare::Rung> pooled_rungs(const std::vector<Deviation>& deviations
     return pooled;
 }
 
-void judge(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-           const compare::EquivalenceQuestion& question, std::size_t replicas,
-           compare::Verdict& verdict) {
-    const auto answer = compare::equivalence(question);
-    verdict.difference = question.difference;
-    verdict.uncertainty = answer.half_width_95;
-    compare::state_evidence(question, replicas, verdict);
-    conclude(runs, check, variant, "", answer.outcome, answer.reason, verdict);
-}
-
 void judge_values(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
                   const std::vector<Deviation>& rungs, compare::Verdict& verdict) {
     const Deviation* worst = &rungs.front();
@@ -135,12 +124,10 @@ void judge_values(const CaseRuns& runs, const catalog::Check& check, std::size_t
         if (!(std::abs(deviation.error) <= std::abs(worst->error))) worst = &deviation;
     }
     verdict.reference = exact_of(*worst);
-    judge(runs, check, variant,
-          {.difference = worst->error,
-           .standard_error = worst->combined.measurement.standard_error,
-           .degrees_of_freedom = worst->combined.degrees_of_freedom,
-           .margin = check.limit},
-          worst->combined.replicas, verdict);
+    auto question =
+        compare::question_of(operand_of(worst->combined), {.value = exact_of(*worst)}, check.limit);
+    question.difference = worst->error;  // to the last bit
+    judge_difference(runs, check, variant, "", question, worst->combined.replicas, verdict);
 }
 
 void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
@@ -166,16 +153,17 @@ void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::s
         const compare::Convergence fit = compare::convergence(rungs);
         curve.order = fit.order.value;
         curve.order_error = fit.order.standard_error;
+        curve.order_degrees_of_freedom = fit.order.degrees_of_freedom;
         curve.limit = fit.limit.value;
         curve.limit_error = fit.limit.standard_error;
         const compare::Estimate& estimate = wants_order ? fit.order : fit.limit;
         if (!wants_order) verdict.reference = exact_of(deviations.front());
-        judge(runs, check, variant,
-              {.difference = wants_order ? estimate.value - check.order : estimate.value,
-               .standard_error = estimate.standard_error,
-               .degrees_of_freedom = estimate.degrees_of_freedom,
-               .margin = check.limit},
-              deviations.front().combined.replicas, verdict);
+        judge_difference(runs, check, variant, "",
+                         {.difference = wants_order ? estimate.value - check.order : estimate.value,
+                          .standard_error = estimate.standard_error,
+                          .degrees_of_freedom = estimate.degrees_of_freedom,
+                          .margin = check.limit},
+                         deviations.front().combined.replicas, verdict);
         if (wants_order) evaluation.curves.push_back(std::move(curve));
     } catch (const std::invalid_argument& error) {
         conclude(runs, check, variant, "", Outcome::undecided, error.what(), verdict);

@@ -2,9 +2,7 @@
 // be the same within errors.
 #include "reference/judge/evaluate.hpp"
 
-#include "reference/compare/equivalence_power.hpp"
 #include "reference/compare/parity.hpp"
-#include "reference/compare/student.hpp"
 
 #include <fmt/format.h>
 
@@ -209,25 +207,17 @@ void judge_equivalence(const CaseRuns& runs, const catalog::Check& check, std::s
             fmt::format("'{}' was not measured{}", missing, other.empty() ? "" : " by both"),
             verdict);
     }
-    const double error_a = a->measurement.standard_error;
-    const double error_b = b->measurement.standard_error;
-    const compare::EquivalenceQuestion question{
-        .difference = a->measurement.value - b->measurement.value,
-        .standard_error = std::hypot(error_a, error_b),
-        .degrees_of_freedom = compare::welch_degrees_of_freedom(error_a, a->degrees_of_freedom,
-                                                                error_b, b->degrees_of_freedom),
-        .margin = verdict.limit};
-    const auto answer = compare::equivalence(question);
-    compare::state_evidence(question, std::min(a->replicas, b->replicas), verdict);
-    verdict.difference = a->measurement.value - b->measurement.value;
-    verdict.uncertainty = answer.half_width_95;
-    if (!other.empty() && error_a > 0 && error_a == error_b && verdict.difference == 0) {
-        return conclude(runs, check, variant, other, Outcome::disagree,
-                        "value and error are the same to the last bit: do both codes read the "
-                        "same output?",
-                        verdict);
+    const auto question = compare::question_of(operand_of(*a), operand_of(*b), verdict.limit);
+    judge_difference(runs, check, variant, other, question, std::min(a->replicas, b->replicas),
+                     verdict);
+    const double error = a->measurement.standard_error;
+    if (!other.empty() && error > 0 && error == b->measurement.standard_error &&
+        verdict.difference == 0) {
+        conclude(runs, check, variant, other, Outcome::disagree,
+                 "value and error are the same to the last bit: do both codes read the same "
+                 "output?",
+                 verdict);
     }
-    conclude(runs, check, variant, other, answer.outcome, answer.reason, verdict);
 }
 
 std::optional<std::size_t> variant_named(const catalog::Case& the_case, const std::string& name) {

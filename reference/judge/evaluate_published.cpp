@@ -1,11 +1,7 @@
 // Checks against numbers of the literature.
 #include "reference/judge/evaluate.hpp"
 
-#include "reference/compare/equivalence_power.hpp"
-
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace crossgrain::judge {
 namespace {
@@ -20,19 +16,12 @@ void judge(const CaseRuns& runs, const Evaluation& evaluation, const catalog::Ch
         return conclude(runs, check, variant, "", Outcome::undecided,
                         fmt::format("'{}' was not measured", check.observable), verdict);
     }
-    const auto& m = combined->measurement;
-    const compare::EquivalenceQuestion question{.difference = m.value - reference.value,
-                                                .standard_error =
-                                                    std::hypot(m.standard_error, reference.error),
-                                                .degrees_of_freedom = combined->degrees_of_freedom,
-                                                .margin = verdict.limit};
-    const auto answer = compare::equivalence(question);
-    compare::state_evidence(question, combined->replicas, verdict);
     verdict.reference = reference.value;
     verdict.reference_error = reference.error;
-    verdict.difference = m.value - reference.value;
-    verdict.uncertainty = answer.half_width_95;
-    conclude(runs, check, variant, "", answer.outcome, answer.reason, verdict);
+    const auto question = compare::question_of(
+        operand_of(*combined), {.value = reference.value, .standard_error = reference.error},
+        verdict.limit);
+    judge_difference(runs, check, variant, "", question, combined->replicas, verdict);
 }
 
 }  // namespace

@@ -36,12 +36,16 @@ json run_json(const store::RunRecord& run) {
             {"cached", run.cached}};
 }
 
+/// A number without an error, or with one that rests on nothing, is its own interval.
+json ci95_of(double value, double error, double degrees_of_freedom) {
+    const double half = error > 0 && degrees_of_freedom >= 1
+                            ? compare::student_quantile(0.975, degrees_of_freedom) * error
+                            : 0.0;
+    return {value - half, value + half};
+}
+
 json measurement_json(const judge::CodeMeasurement& item) {
     const auto& m = item.combined.measurement;
-    const double dof = item.combined.degrees_of_freedom;
-    const double half = m.standard_error > 0 && dof >= 1
-                            ? compare::student_quantile(0.975, dof) * m.standard_error
-                            : 0.0;
     json settings(m.settings);
     settings["dt"] = item.dt;
     settings["replicas"] = item.combined.replicas;
@@ -51,7 +55,7 @@ json measurement_json(const judge::CodeMeasurement& item) {
             {"value", m.value},
             {"stderr", m.standard_error},
             {"systematic", m.systematic},
-            {"ci95", {m.value - half, m.value + half}},
+            {"ci95", ci95_of(m.value, m.standard_error, item.combined.degrees_of_freedom)},
             {"n", m.n},
             {"unit", m.unit},
             {"settings", std::move(settings)}};
@@ -59,16 +63,13 @@ json measurement_json(const judge::CodeMeasurement& item) {
 
 /// The fitted order of a convergence curve, as the report page expects it.
 json order_json(const judge::ConvergenceCurve& curve) {
-    const auto interval = [](double value, double error) {
-        return json{value - 1.96 * error, value + 1.96 * error};
-    };
     return {{"code", curve.code},
             {"variant", curve.variant},
             {"observable", "convergence-order"},
             {"value", curve.order},
             {"stderr", curve.order_error},
             {"systematic", 0.0},
-            {"ci95", interval(curve.order, curve.order_error)},
+            {"ci95", ci95_of(curve.order, curve.order_error, curve.order_degrees_of_freedom)},
             {"n", curve.dt.size()},
             {"unit", "1"},
             {"settings", {{"of", curve.observable}}}};

@@ -14,12 +14,11 @@ using compare::Kind;
 using compare::Outcome;
 using compare::Verdict;
 
-/// The member of a verdict's measurement: its relative statistical error, from the 95 % interval.
+/// The member of a verdict's measurement: its relative statistical error.
 compare::ModelComparison comparison_of(const Verdict& v) {
     const double model = v.reference + v.difference;
-    const double error = v.uncertainty / 1.96;
-    const double statistical =
-        std::sqrt(std::max(0.0, error * error - v.reference_error * v.reference_error));
+    const double statistical = std::sqrt(
+        std::max(0.0, v.standard_error * v.standard_error - v.reference_error * v.reference_error));
     return {.model = model,
             .reference = v.reference,
             .reference_relative_error = v.reference_error / std::abs(v.reference),

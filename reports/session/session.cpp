@@ -144,6 +144,17 @@ std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const run::Sett
     return cases;
 }
 
+std::vector<std::string> certifiable_cases() {
+    const std::string directory = (share_directory() / "catalog").string();
+    std::vector<std::string> names;
+    for (const auto& name : catalog::case_names(directory)) {
+        const auto found = catalog::find_case(directory, name, catalog::Suite::quick);
+        const bool quick = std::ranges::find(found.suites, "quick") != found.suites.end();
+        if (quick && judge::can_be_certified(found)) names.push_back(name);
+    }
+    return names;
+}
+
 SessionReport run_session(const run::Settings& settings, store::Store& store, std::stop_token stop,
                           bool compute) {
     const auto cases = selected_cases(settings, stop);

@@ -28,6 +28,9 @@ struct SessionReport {
 [[nodiscard]] std::vector<std::shared_ptr<const catalog::Case>>
 selected_cases(const run::Settings& settings, const std::stop_token& stop);
 
+/// Names of the cases of the quick suite that a certificate can be made of.
+[[nodiscard]] std::vector<std::string> certifiable_cases();
+
 /// With `compute` false only the store is read. Verdicts are recorded in the store.
 [[nodiscard]] SessionReport run_session(const run::Settings& settings, store::Store& store,
                                         std::stop_token stop, bool compute);

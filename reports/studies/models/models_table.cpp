@@ -165,15 +165,16 @@ int certain_sign(const TableCell& cell) {
     return cell.value > 0 ? 1 : -1;
 }
 
+compare::Operand operand_of(const TableCell& cell) {
+    return {.value = cell.value,
+            .standard_error = cell.standard_error,
+            .degrees_of_freedom = cell.degrees_of_freedom};
+}
+
 void judge_same(const TableRow& row, const TableCell& reference, TableCell& cell) {
     const double margin = row.relative ? row.margin * std::abs(reference.value) : row.margin;
-    const auto answer = compare::equivalence(
-        {.difference = cell.value - reference.value,
-         .standard_error = std::hypot(cell.standard_error, reference.standard_error),
-         .degrees_of_freedom = compare::welch_degrees_of_freedom(
-             cell.standard_error, cell.degrees_of_freedom, reference.standard_error,
-             reference.degrees_of_freedom),
-         .margin = margin});
+    const auto answer =
+        compare::equivalence(compare::question_of(operand_of(cell), operand_of(reference), margin));
     cell.outcome = answer.outcome;
     cell.reason = answer.reason;
 }

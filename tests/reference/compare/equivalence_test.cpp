@@ -129,6 +129,25 @@ BOOST_AUTO_TEST_CASE(a_single_sample_decides_nothing) {
     BOOST_TEST(!answer.reason.empty());
 }
 
+BOOST_AUTO_TEST_CASE(two_operands_share_their_degrees_of_freedom) {
+    const Operand measured{.value = 2, .standard_error = 0.3, .degrees_of_freedom = 3};
+    const auto against_exact = question_of(measured, {.value = 1.5}, 1);
+    BOOST_TEST(against_exact.difference == 0.5);
+    BOOST_TEST(against_exact.standard_error == 0.3);
+    BOOST_TEST(against_exact.degrees_of_freedom == 3.0);
+    // A published error is taken as known: what remains uncertain is the share of the other.
+    const auto against_paper = question_of(measured, {.value = 1.5, .standard_error = 0.4}, 1);
+    BOOST_TEST(against_paper.standard_error == 0.5, tt::tolerance(1e-15));
+    BOOST_TEST(against_paper.degrees_of_freedom == 3 * std::pow(0.5 / 0.3, 4),
+               tt::tolerance(1e-12));
+    const auto of_two = question_of(measured, measured, 1);
+    BOOST_TEST(of_two.degrees_of_freedom == 6.0, tt::tolerance(1e-12));
+    // An error that rests on nothing makes the sum rest on nothing.
+    const Operand single{.value = 2, .standard_error = 0.3, .degrees_of_freedom = 0};
+    BOOST_TEST(question_of(measured, single, 1).degrees_of_freedom == 0.0);
+    BOOST_TEST(question_of(single, {.value = 1}, 1).degrees_of_freedom == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(refuses_questions_that_make_no_sense) {
     const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
     for (const EquivalenceQuestion bad :
