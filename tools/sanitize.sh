@@ -7,13 +7,13 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 preset=${1:-asan-ubsan}
-core='^(base|toml|cases|fuzz|reports|store)_|^catalog_(case_file|sweep|variants)$'
+core='^(base|toml|cases|fuzz|store)_|^catalog_(case_file|sweep|variants)$'
 core+='|^adapters_(dump|dump_number|process|guard|identity|probe|program|scratch|temporary)'
 core+='|^(dem_simd|dem_neighbour_list|friction_kernels|hopper_fast_engine|lga_engines_agree)$'
 select=(-L unit -LE 'web|external')
 targets=(all)
 if [[ ${2:-core} == core ]]; then
-    select+=(-R "$core" -E 'reports_web_pages')
+    select+=(-R "$core")
     cmake --preset "$preset" >/dev/null
     mapfile -t targets < <(ctest --preset "$preset" -N "${select[@]}" |
         sed -nE 's/^ *Test +#[0-9]+: (fuzz_)?(.*)$/\1\2/p' | sed -E '/^fuzz_/!s/^/test_/')
