@@ -8,7 +8,7 @@ namespace crossgrain::catalog {
 
 [[nodiscard]] const toml_input::TableKeys& fit_keys();
 
-/// Throws CaseError for a table that makes no sense.
+/// Throws CaseError with place and expectation for a bad table.
 [[nodiscard]] std::vector<Fit> read_fits(const toml_input::KeyedTable& t);
 
 }  // namespace crossgrain::catalog

@@ -34,7 +34,7 @@ double number_or(const ObservableRequest& request, const char* option, double st
                : found->second.numbers.front();
 }
 
-/// Throws std::invalid_argument for what is no whole number of a size that makes sense.
+/// Throws std::invalid_argument for what is no whole number of at most 10^6.
 int whole_or(const ObservableRequest& request, const char* option, int standard) {
     constexpr double most = 1e6;
     const double value = number_or(request, option, standard);

@@ -185,12 +185,12 @@ void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::si
     verdict.uncertainty = answer.half_width_95;
     verdict.standard_error = question.standard_error;
     compare::state_evidence(question, replicas, verdict);
-    conclude(runs, check, variant, other, answer.outcome, answer.reason, verdict);
+    set_outcome(runs, check, variant, other, answer.outcome, answer.reason, verdict);
 }
 
-void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-              const std::string& other, Outcome outcome, const std::string& reason,
-              compare::Verdict& verdict) {
+void set_outcome(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+                 const std::string& other, Outcome outcome, const std::string& reason,
+                 compare::Verdict& verdict) {
     std::string wanted = check.expect;
     for (const auto& code : {verdict.code, other}) {
         if (const auto found = check.expect_for.find(code); found != check.expect_for.end()) {

@@ -102,7 +102,7 @@ measured(const CaseRuns& runs, const Evaluation& evaluation, const std::string& 
 /// What a check against the literature names, without "published:".
 [[nodiscard]] std::string published_id(const catalog::Check& check);
 /// Equivalence of two numbers within the verdict's limit: difference, uncertainty, p-values, and
-/// conclude(). `replicas`: the fewer of both.
+/// set_outcome(). `replicas`: the fewer of both.
 void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
                       const std::string& other, const compare::EquivalenceQuestion& question,
                       std::size_t replicas, compare::Verdict& verdict);
@@ -110,8 +110,8 @@ void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::si
 [[nodiscard]] compare::Operand operand_of(const compare::Combined& combined);
 /// Sets the outcome, its reason, and whether the catalogue expects it. `other` is the second code
 /// of a pair, or empty.
-void conclude(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-              const std::string& other, compare::Outcome outcome, const std::string& reason,
-              compare::Verdict& verdict);
+void set_outcome(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
+                 const std::string& other, compare::Outcome outcome, const std::string& reason,
+                 compare::Verdict& verdict);
 
 }  // namespace crossgrain::judge

@@ -146,8 +146,8 @@ void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::s
     }
     if (exact_to_round_off) {
         if (!wants_order) return judge_values(runs, check, variant, deviations, verdict);
-        return conclude(runs, check, variant, "", Outcome::undecided,
-                        "the error is round-off at every dt: it has no order", verdict);
+        return set_outcome(runs, check, variant, "", Outcome::undecided,
+                           "the error is round-off at every dt: it has no order", verdict);
     }
     try {
         const compare::Convergence fit = compare::convergence(rungs);
@@ -166,7 +166,7 @@ void judge_convergence(const CaseRuns& runs, const catalog::Check& check, std::s
                          deviations.front().combined.replicas, verdict);
         if (wants_order) evaluation.curves.push_back(std::move(curve));
     } catch (const std::invalid_argument& error) {
-        conclude(runs, check, variant, "", Outcome::undecided, error.what(), verdict);
+        set_outcome(runs, check, variant, "", Outcome::undecided, error.what(), verdict);
     }
 }
 
@@ -177,10 +177,10 @@ void evaluate_exact(const CaseRuns& runs, const catalog::Check& check, Evaluatio
         for (const auto& code : codes_of(runs, check)) {
             compare::Verdict verdict = blank_verdict(runs.the_case(), check, code, variant);
             if (const auto absence = runs.absence(code, variant)) {
-                conclude(runs, check, variant, "", absence->outcome, absence->reason, verdict);
+                set_outcome(runs, check, variant, "", absence->outcome, absence->reason, verdict);
             } else if (const auto found = deviations(runs, check, code, variant);
                        found.problem != Outcome::agree) {
-                conclude(runs, check, variant, "", found.problem, found.reason, verdict);
+                set_outcome(runs, check, variant, "", found.problem, found.reason, verdict);
             } else if (check.aspect == catalog::Aspect::value) {
                 judge_values(runs, check, variant, found.rungs, verdict);
             } else {

@@ -111,8 +111,8 @@ void for_each_pair(const CaseRuns& runs, const catalog::Check& check, Evaluation
                 verdict.limit = pair_limit(check, codes[i], codes[j]);
                 if (const auto absent = pair_absence(runs, check, variant, codes[i], codes[j])) {
                     verdict.absent_code = absent->code;
-                    conclude(runs, check, variant, codes[j], absent->absence.outcome,
-                             absent->absence.reason, verdict);
+                    set_outcome(runs, check, variant, codes[j], absent->absence.outcome,
+                                absent->absence.reason, verdict);
                 } else {
                     judge(variant, codes[i], codes[j], verdict);
                 }
@@ -150,11 +150,11 @@ void doubt_identical(const CaseRuns& runs, const catalog::Check& check,
         auto& verdict = evaluation.verdicts[index];
         if (verdict.difference > 0 || largest[variant] < grown) continue;
         if (share_arithmetic(runs, variant, verdict.code, verdict.against.name)) continue;
-        conclude(runs, check, variant, verdict.against.name, Outcome::disagree,
-                 fmt::format("the same to the last bit, where other codes differ by {:.1g}: do "
-                             "both read the same output?",
-                             largest[variant]),
-                 verdict);
+        set_outcome(runs, check, variant, verdict.against.name, Outcome::disagree,
+                    fmt::format("the same to the last bit, where other codes differ by {:.1g}: do "
+                                "both read the same output?",
+                                largest[variant]),
+                    verdict);
     }
 }
 
@@ -172,22 +172,22 @@ std::string place_of(const catalog::Check& check) {
 void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation) {
     const std::size_t first = evaluation.verdicts.size();
     std::map<std::size_t, std::size_t> judged;
-    for_each_pair(runs, check, evaluation,
-                  [&](std::size_t variant, const std::string& a, const std::string& b,
-                      compare::Verdict& verdict) {
-                      verdict.place = place_of(check);
-                      const auto difference = variant_difference(runs, check, variant, a, b);
-                      if (!difference) {
-                          return conclude(runs, check, variant, b, Outcome::undecided,
-                                          "nothing to compare at the same place in both runs",
-                                          verdict);
-                      }
-                      judged[evaluation.verdicts.size()] = variant;
-                      verdict.difference = *difference;
-                      const bool same = *difference <= verdict.limit;
-                      conclude(runs, check, variant, b, same ? Outcome::agree : Outcome::disagree,
-                               same ? "" : "differs by more than round-off can explain", verdict);
-                  });
+    for_each_pair(
+        runs, check, evaluation,
+        [&](std::size_t variant, const std::string& a, const std::string& b,
+            compare::Verdict& verdict) {
+            verdict.place = place_of(check);
+            const auto difference = variant_difference(runs, check, variant, a, b);
+            if (!difference) {
+                return set_outcome(runs, check, variant, b, Outcome::undecided,
+                                   "nothing to compare at the same place in both runs", verdict);
+            }
+            judged[evaluation.verdicts.size()] = variant;
+            verdict.difference = *difference;
+            const bool same = *difference <= verdict.limit;
+            set_outcome(runs, check, variant, b, same ? Outcome::agree : Outcome::disagree,
+                        same ? "" : "differs by more than round-off can explain", verdict);
+        });
     doubt_identical(runs, check, judged, evaluation);
     for (std::size_t i = first; i < evaluation.verdicts.size(); ++i) {
         evaluation.parity.push_back({&check, i});
@@ -202,7 +202,7 @@ void judge_equivalence(const CaseRuns& runs, const catalog::Check& check, std::s
                        const std::optional<compare::Combined>& b, compare::Verdict& verdict) {
     if (!a || !b) {
         const std::string& missing = a && !check.with.empty() ? check.with : check.observable;
-        return conclude(
+        return set_outcome(
             runs, check, variant, other, Outcome::undecided,
             fmt::format("'{}' was not measured{}", missing, other.empty() ? "" : " by both"),
             verdict);
@@ -213,10 +213,10 @@ void judge_equivalence(const CaseRuns& runs, const catalog::Check& check, std::s
     const double error = a->measurement.standard_error;
     if (!other.empty() && error > 0 && error == b->measurement.standard_error &&
         verdict.difference == 0) {
-        conclude(runs, check, variant, other, Outcome::disagree,
-                 "value and error are the same to the last bit: do both codes read the same "
-                 "output?",
-                 verdict);
+        set_outcome(runs, check, variant, other, Outcome::disagree,
+                    "value and error are the same to the last bit: do both codes read the same "
+                    "output?",
+                    verdict);
     }
 }
 
@@ -237,7 +237,7 @@ void evaluate_between(const CaseRuns& runs, const catalog::Check& check, Evaluat
         auto absence = runs.absence(code, *a);
         if (!absence) absence = runs.absence(code, *b);
         if (absence) {
-            conclude(runs, check, *a, "", absence->outcome, absence->reason, verdict);
+            set_outcome(runs, check, *a, "", absence->outcome, absence->reason, verdict);
         } else {
             judge_equivalence(runs, check, *a, "", runs.combined(code, *a, 0, check.observable),
                               runs.combined(code, *b, 0, check.observable), verdict);
@@ -252,7 +252,7 @@ void evaluate_with(const CaseRuns& runs, const catalog::Check& check, Evaluation
         for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, variant);
             if (const auto absent = absence(runs, check, code, variant)) {
-                conclude(runs, check, variant, "", absent->outcome, absent->reason, verdict);
+                set_outcome(runs, check, variant, "", absent->outcome, absent->reason, verdict);
             } else {
                 judge_equivalence(runs, check, variant, "",
                                   measured(runs, evaluation, code, variant, check.observable),

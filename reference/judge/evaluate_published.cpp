@@ -13,8 +13,8 @@ void judge(const CaseRuns& runs, const Evaluation& evaluation, const catalog::Ch
            compare::Verdict& verdict) {
     const auto combined = measured(runs, evaluation, verdict.code, variant, check.observable);
     if (!combined) {
-        return conclude(runs, check, variant, "", Outcome::undecided,
-                        fmt::format("'{}' was not measured", check.observable), verdict);
+        return set_outcome(runs, check, variant, "", Outcome::undecided,
+                           fmt::format("'{}' was not measured", check.observable), verdict);
     }
     verdict.reference = reference.value;
     verdict.reference_error = reference.error;
@@ -40,10 +40,10 @@ void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
         for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, variant);
             if (const auto absent = absence(runs, check, code, variant)) {
-                conclude(runs, check, variant, "", absent->outcome, absent->reason, verdict);
+                set_outcome(runs, check, variant, "", absent->outcome, absent->reason, verdict);
             } else if (!reference) {
-                conclude(runs, check, variant, "", Outcome::no_reference,
-                         fmt::format("no published value '{}'", id), verdict);
+                set_outcome(runs, check, variant, "", Outcome::no_reference,
+                            fmt::format("no published value '{}'", id), verdict);
             } else {
                 judge(runs, evaluation, check, variant, *reference, verdict);
             }

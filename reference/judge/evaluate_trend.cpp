@@ -65,14 +65,14 @@ void judge(const CaseRuns& runs, const catalog::Check& check, const Group& group
     for (const std::size_t variant : group.variants) {
         const auto& name = runs.the_case().variants[variant].name;
         if (const auto absence = runs.absence(verdict.code, variant)) {
-            return conclude(runs, check, first, "", absence->outcome,
-                            fmt::format("{}: {}", name, absence->reason), verdict);
+            return set_outcome(runs, check, first, "", absence->outcome,
+                               fmt::format("{}: {}", name, absence->reason), verdict);
         }
         const auto combined = runs.combined(verdict.code, variant, 0, check.observable);
         if (!combined) {
-            return conclude(runs, check, first, "", Outcome::undecided,
-                            fmt::format("{}: '{}' was not measured", name, check.observable),
-                            verdict);
+            return set_outcome(runs, check, first, "", Outcome::undecided,
+                               fmt::format("{}: '{}' was not measured", name, check.observable),
+                               verdict);
         }
         points.push_back(
             {.at = std::stod(*runs.the_case().variants[variant].parameter(check.along)),
@@ -81,13 +81,13 @@ void judge(const CaseRuns& runs, const catalog::Check& check, const Group& group
              .degrees_of_freedom = combined->degrees_of_freedom});
     }
     if (points.size() < 2) {
-        return conclude(runs, check, first, "", Outcome::undecided, "one point shows no trend",
-                        verdict);
+        return set_outcome(runs, check, first, "", Outcome::undecided, "one point shows no trend",
+                           verdict);
     }
     const auto answer = compare::judge_trend(trend_of(check.aspect), points, check.limit);
     verdict.difference = answer.difference;
     verdict.uncertainty = answer.half_width_95;
-    conclude(runs, check, first, "", answer.outcome, answer.reason, verdict);
+    set_outcome(runs, check, first, "", answer.outcome, answer.reason, verdict);
 }
 
 }  // namespace
@@ -100,10 +100,10 @@ void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
             auto verdict = blank_verdict(runs.the_case(), check, code, group.variants.front());
             verdict.variant = group.name;
             if (!reference || reference->trend != word_of(check.aspect)) {
-                conclude(runs, check, group.variants.front(), "", Outcome::no_reference,
-                         fmt::format("no published trend '{}' that is {}", published_id(check),
-                                     word_of(check.aspect)),
-                         verdict);
+                set_outcome(runs, check, group.variants.front(), "", Outcome::no_reference,
+                            fmt::format("no published trend '{}' that is {}", published_id(check),
+                                        word_of(check.aspect)),
+                            verdict);
             } else {
                 judge(runs, check, group, verdict);
             }

@@ -23,7 +23,7 @@ struct BenchRow {
     std::map<std::string, std::string> details;  ///< e.g. {"skin", "0.9"}, {"cycles", "12.1"}
 };
 
-/// A figure that was promised, as it came out on this machine.
+/// A required figure, as measured on this machine.
 struct BenchTarget {
     std::string what;  ///< e.g. "native double over LAMMPS, N = 1024"
     double measured = 0;

@@ -1,5 +1,5 @@
 // The scene of `crossgrain bench dem`: the fluidised bed of the paper (Gamma = 2.19) at t = 40.
-// Before that the crystal moves as a column and flatters every neighbour list.
+// Before that the crystal moves as a column and every neighbour list looks better than it is.
 #pragma once
 
 #include "cases/scene/scene.hpp"

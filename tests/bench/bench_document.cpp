@@ -53,12 +53,12 @@ std::string rows_table(const BenchReport& report) {
 }
 
 std::string targets_table(const BenchReport& report) {
-    reports::TextTable table({"target", "measured", "promised", ""});
+    reports::TextTable table({"target", "measured", "required", ""});
     for (const auto& target : report.targets) {
-        std::string promised;
-        if (target.at_least != 0) promised = fmt::format(">= {:.3g}", target.at_least);
-        if (target.at_most != 0) promised += fmt::format(" <= {:.3g}", target.at_most);
-        table.add({target.what, fmt::format("{:.3g}", target.measured), promised,
+        std::string required;
+        if (target.at_least != 0) required = fmt::format(">= {:.3g}", target.at_least);
+        if (target.at_most != 0) required += fmt::format(" <= {:.3g}", target.at_most);
+        table.add({target.what, fmt::format("{:.3g}", target.measured), required,
                    target.met() ? "met" : "missed"});
     }
     return table.empty() ? "" : table.text();

@@ -92,8 +92,8 @@ const BenchRow* find(const BenchReport& report, const std::string& name, std::si
     return nullptr;
 }
 
-void promise(BenchReport& report, const std::string& what, const BenchRow* row,
-             const BenchRow* other, double at_least, double factor) {
+void add_target(BenchReport& report, const std::string& what, const BenchRow* row,
+                const BenchRow* other, double at_least, double factor) {
     if (!row || !other) return;
     report.targets.push_back(
         {.what = what, .measured = factor * row->rate / other->rate, .at_least = at_least});

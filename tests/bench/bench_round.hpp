@@ -57,9 +57,9 @@ class Round {
 [[nodiscard]] const BenchRow* find(const BenchReport& report, const std::string& name,
                                    std::size_t grains);
 
-/// A promise that the ratio of two rows is at least so much; nothing where one is missing.
-void promise(BenchReport& report, const std::string& what, const BenchRow* row,
-             const BenchRow* other, double at_least, double factor = 1);
+/// A target: the ratio of two rows is at least so much; nothing where one is missing.
+void add_target(BenchReport& report, const std::string& what, const BenchRow* row,
+                const BenchRow* other, double at_least, double factor = 1);
 
 /// Ratios of every row to those of the named contenders of the same size.
 void tell_ratios(BenchReport& report, const std::vector<std::string>& others);

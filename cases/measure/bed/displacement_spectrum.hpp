@@ -67,7 +67,8 @@ struct DisplacementSpectrumOptions {
 /// `displacement_vectors`. A group with a layer-
 /// averaged S of zero anywhere in a window (empty layers) gives no slope; a window beyond L/2 gives
 /// none either. Nothing for scenes without bottom, lid or period, or whose period is not a whole
-/// number of diameters. Throws std::invalid_argument for options that make no sense.
+/// number of diameters. Throws std::invalid_argument unless spacing > 0,
+/// 1 <= k_min < k_max, 1 <= tail_min < tail_max, and every group has 1 <= first <= last.
 class DisplacementSpectrum final : public Estimator {
   public:
     DisplacementSpectrum(const scene::Scene& scene, DisplacementSpectrumOptions options);

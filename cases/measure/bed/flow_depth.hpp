@@ -28,7 +28,7 @@ struct FlowDepthOptions {
 /// the number of periods. Series "flow-profile": layer (1 at the bottom), lost_bonds.
 ///
 /// Nothing with fewer than twelve periods, or for scenes without a moving bottom or a period along
-/// x. Throws std::invalid_argument for options that make no sense.
+/// x. Throws std::invalid_argument unless 0 < share < 1.
 class FlowDepth final : public Estimator {
   public:
     FlowDepth(const scene::Scene& scene, FlowDepthOptions options);

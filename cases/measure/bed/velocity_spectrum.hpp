@@ -48,7 +48,8 @@ struct VelocitySpectrumOptions {
 ///
 /// A time is read at the nearest frame, at most half an interval away; one outside of the run is
 /// not reported. Nothing for scenes that do not start from rows of a lattice. Throws
-/// std::invalid_argument for options that make no sense.
+/// std::invalid_argument unless 1 <= k_min < k_max, `from` < `to` are given both or neither, and
+/// phases are in [0, 360) degrees.
 class VelocitySpectrum final : public Estimator {
   public:
     VelocitySpectrum(const scene::Scene& scene, VelocitySpectrumOptions options);

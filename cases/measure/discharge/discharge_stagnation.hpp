@@ -33,7 +33,8 @@ struct DischargeStagnationOptions {
 /// and on the centre line, or a centre line that moves upward.
 class DischargeStagnation final : public Estimator {
   public:
-    /// Throws std::invalid_argument for a scene that is no hopper or options that make no sense.
+    /// Throws std::invalid_argument for a scene that is no hopper, and unless
+    /// 0 <= from < to, bin > 0 and shares are in (0, 1).
     DischargeStagnation(const scene::Scene& scene, DischargeStagnationOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

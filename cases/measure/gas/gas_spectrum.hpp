@@ -58,7 +58,9 @@ struct GasSpectrumOptions {
 /// band of velocities is beyond the spectrum or at its very first frequencies.
 class GasSpectrum final : public GasEstimator {
   public:
-    /// Throws std::invalid_argument for options that make no sense, without the field `count`, or
+    /// Throws std::invalid_argument unless segments >= 1, points >= 64 and even,
+    /// 0 < 2 f_min < f_max <= 0.5, 0 < v_min < v_max, 0 <= running_mean < points and
+    /// 0 <= first_bin <= last_bin < bins; without the field `count`, or
     /// if the run has fewer than S M frames.
     GasSpectrum(const scene::GasSampling& sampling, GasSpectrumOptions options);
     void add(const scene::GasFrame& frame) override;

@@ -40,7 +40,7 @@ struct GasSteadyStateOptions {
 class GasSteadyState final : public GasEstimator {
   public:
     /// Throws std::invalid_argument without the field `count`, with fewer than 4 replicas, 16
-    /// frames or 2 bins, or for options that make no sense.
+    /// frames or 2 bins, and unless tolerance > 0 and sigmas > 0.
     GasSteadyState(const scene::GasSampling& sampling, GasSteadyStateOptions options);
     void add(const scene::GasFrame& frame) override;
     void finish(Results& results) override;

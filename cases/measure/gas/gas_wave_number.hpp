@@ -29,7 +29,7 @@ struct GasWaveNumberOptions {
 class GasWaveNumber final : public GasEstimator {
   public:
     /// Throws std::invalid_argument without the field `count`, with fewer than 3 replicas or 16
-    /// bins, or for options that make no sense.
+    /// bins, and unless 1 <= k_min < k_max <= bins/2 and fields >= 1.
     GasWaveNumber(const scene::GasSampling& sampling, GasWaveNumberOptions options);
     void add(const scene::GasFrame& frame) override;
     void finish(Results& results) override;

@@ -34,7 +34,8 @@ struct PipeMotionOptions {
 /// A mean whose blocks still drift is not reported. Nothing with fewer than 128 frames.
 class PipeMotion final : public Estimator {
   public:
-    /// Throws std::invalid_argument for a scene that is no pipe or options that make no sense.
+    /// Throws std::invalid_argument for a scene that is no pipe, fewer than 16 bins, and unless
+    /// tolerance > 0 and sigmas > 0.
     PipeMotion(const scene::Scene& scene, PipeMotionOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

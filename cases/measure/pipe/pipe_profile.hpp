@@ -27,7 +27,8 @@ struct PipeProfileOptions {
 /// density over its mean, err, null. Nothing with fewer than 128 frames.
 class PipeProfile final : public Estimator {
   public:
-    /// Throws std::invalid_argument for a scene that is no pipe or options that make no sense.
+    /// Throws std::invalid_argument for a scene that is no pipe, a bin that is not > 0, or fewer
+    /// than 16 bins.
     PipeProfile(const scene::Scene& scene, PipeProfileOptions options)
         : recorder_(scene, options.record) {}
     void add(const scene::Frame& frame) override { recorder_.add(frame); }

@@ -44,8 +44,8 @@ struct PipeRecord {
 
 class PipeRecorder {
   public:
-    /// Throws std::invalid_argument for a scene that is no pipe, fewer than 16 bins, or options
-    /// that make no sense.
+    /// Throws std::invalid_argument for a scene that is no pipe, fewer than 16 bins, or a
+    /// bin that is not > 0.
     PipeRecorder(const scene::Scene& scene, PipeRecordOptions options);
     void add(const scene::Frame& frame);
     [[nodiscard]] const PipeRecord& record() const noexcept { return record_; }

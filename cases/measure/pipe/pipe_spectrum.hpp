@@ -35,7 +35,8 @@ struct PipeSpectrumOptions {
 /// the frames are too far apart; nothing with fewer than 128 frames per segment.
 class PipeSpectrum final : public Estimator {
   public:
-    /// Throws std::invalid_argument for a scene that is no pipe or options that make no sense.
+    /// Throws std::invalid_argument for a scene that is no pipe, and unless segments >= 2, low > 0
+    /// and 0 < high <= 0.5.
     PipeSpectrum(const scene::Scene& scene, PipeSpectrumOptions options);
     void add(const scene::Frame& frame) override { recorder_.add(frame); }
     void finish(Results& results) override;

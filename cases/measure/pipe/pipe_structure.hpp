@@ -28,7 +28,8 @@ struct PipeStructureOptions {
 /// 128 frames.
 class PipeStructure final : public Estimator {
   public:
-    /// Throws std::invalid_argument for a scene that is no pipe or options that make no sense.
+    /// Throws std::invalid_argument for a scene that is no pipe, and unless
+    /// 1 <= k_min < k_max <= 64.
     PipeStructure(const scene::Scene& scene, PipeStructureOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -36,7 +36,8 @@ struct PipeWaveOptions {
 /// Nothing with fewer than 128 frames.
 class PipeWave final : public Estimator {
   public:
-    /// Throws std::invalid_argument for a scene that is no pipe or options that make no sense.
+    /// Throws std::invalid_argument for a scene that is no pipe, and unless wavelength_min is from
+    /// four bins to the length of the pipe; for what PipeOverlap::of refuses.
     PipeWave(const scene::Scene& scene, PipeWaveOptions options);
     void add(const scene::Frame& frame) override { recorder_.add(frame); }
     void finish(Results& results) override;
