@@ -2,8 +2,6 @@
 
 #include "app/exit_code.hpp"
 
-#include "reports/session/session.hpp"
-
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
