@@ -42,6 +42,7 @@ export async function withBrowser(options, use) {
         "--headless",
         "--no-sandbox",
         "--disable-gpu",
+        "--disable-dev-shm-usage", // containers often have 64 MB of it
         "--disable-quic",
         "--no-first-run",
         "--disable-background-networking",

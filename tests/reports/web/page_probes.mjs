@@ -24,16 +24,25 @@ export const part = (page, name) => page.locator(`.case-part[data-case="${name}"
 
 /**
  * Opens a folded case and returns it once it shows all it has: a case is filled by an event that the
- * browser sends some time after the click, and its series come from a file.
+ * browser sends some time after the key, and its series come from a file. A key, since a click is
+ * lost where pictures above the case arrive between its press and its release and move the page.
  */
 export async function openCase(page, name) {
-  await part(page, name).locator("> summary").click();
-  await page.waitForFunction((wanted) => {
-    const opened = document.querySelector(`.case-part[data-case="${wanted}"]`);
-    const place = opened.querySelector(":scope > div");
-    return opened.open && place.childElementCount > 0 && !place.textContent.includes("Loading");
-  }, name);
-  return part(page, name);
+  const opened = part(page, name);
+  await opened.locator("> summary").press("Enter");
+  const isFilled = (details) => {
+    const place = details.querySelector(":scope > div");
+    return details.open && place.childElementCount > 0 && !place.textContent.includes("Loading");
+  };
+  try {
+    const handle = await opened.elementHandle();
+    await page.waitForFunction(isFilled, handle, { polling: 100 });
+  } catch (error) {
+    const isOpen = await opened.evaluate((details) => details.open);
+    const state = isOpen ? "open, with " + (await opened.innerText()) : "still folded";
+    throw new Error(`case ${name} is ${state}: ${error.message}`);
+  }
+  return opened;
 }
 
 /** Text of the tooltip that shows when the pointer rests on `target`. */
