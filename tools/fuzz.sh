@@ -18,7 +18,7 @@ for target in "${targets[@]}"; do
     mkdir -p "build/fuzz/found/$target"
     log=build/fuzz/findings/$target.log
     # The first folder takes new inputs; those of the tree stay as they are.
-    if "build/fuzz/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 \
+    if "build/fuzz/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=3000 \
         -malloc_limit_mb=2000 -max_len=20000 -print_final_stats=1 \
         -artifact_prefix="build/fuzz/findings/$target-" \
         "build/fuzz/found/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1; then
