@@ -2,7 +2,6 @@
 // codes, with one state for all that take part.
 #include "adapters/lammps/lammps_code.hpp"
 #include "adapters/process/find_program.hpp"
-#include "native/base/cpu_time.hpp"
 #include "native/base/instruction_sets.hpp"
 #include "native/dem/engine.hpp"
 #include "tests/bench/bench.hpp"
@@ -10,34 +9,31 @@
 #include "tests/bench/bench_dem_bed.hpp"
 #include "tests/bench/bench_programs.hpp"
 #include "tests/bench/bench_round.hpp"
+#include "tests/bench/vector_rate.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
+#include <vector>
 
 namespace crossgrain::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 Turn run_native(dem::Parameters p, const dem::State& s, std::int64_t steps,
                 std::int64_t look_every = 0) {
     dem::Engine engine(p, s);
     engine.advance(steps / 10 + 1);
     const auto before = engine.effort();
-    const auto wall = Clock::now();
-    const double cpu = process_cpu_seconds();
-    for (std::int64_t left = steps; left > 0;) {
-        const std::int64_t some = look_every > 0 ? std::min(look_every, left) : left;
-        engine.advance(some);
-        if (look_every > 0) static_cast<void>(engine.state());
-        left -= some;
-    }
-    Turn turn{.cost = {.cpu_s = process_cpu_seconds() - cpu,
-                       .wall_s = std::chrono::duration<double>(Clock::now() - wall).count()},
-              .steps = steps};
+    const auto cost = timed([&] {
+        for (std::int64_t left = steps; left > 0;) {
+            const std::int64_t some = look_every > 0 ? std::min(look_every, left) : left;
+            engine.advance(some);
+            if (look_every > 0) static_cast<void>(engine.state());
+            left -= some;
+        }
+    });
+    Turn turn{.cost = cost, .steps = static_cast<double>(steps)};
     const auto after = engine.effort();
     const auto lists = std::max<std::int64_t>(after.neighbour_builds - before.neighbour_builds, 1);
     turn.details = {{"kernel", after.kernel},
@@ -52,15 +48,14 @@ Turn run_native(dem::Parameters p, const dem::State& s, std::int64_t steps,
 Contender native(const dem::State& s, std::string name, dem::Kernel kernel,
                  dem::Precision precision, int threads = 1, std::int64_t look_every = 0,
                  double share = 1) {
-    return {std::move(name),
-            [=, &s](std::int64_t steps) {
-                auto p = bed_parameters(s.x.size());
-                p.kernel = kernel;
-                p.precision = precision;
-                p.threads = threads;
-                return run_native(p, s, steps, look_every);
-            },
-            share};
+    const auto turn = [=, &s](std::int64_t steps) {
+        auto p = bed_parameters(s.x.size());
+        p.kernel = kernel;
+        p.precision = precision;
+        p.threads = threads;
+        return std::vector{run_native(p, s, steps, look_every)};
+    };
+    return {std::move(name), particle_steps(s.x.size()), turn, share};
 }
 
 /// The same as on a machine without AVX-512.
@@ -76,7 +71,7 @@ Contender without_avx512(Contender contender) {
 constexpr const char* native_double = "native double";
 constexpr const char* native_mixed = "native mixed";
 
-void require_over_lammps(BenchReport& report, std::size_t grains) {
+void require_over_lammps(BenchReport& report, std::int64_t grains) {
     const auto* lammps_row = find(report, "lammps", grains);
     const auto require = [&](const std::string& name, double at_least) {
         add_target(report, fmt::format("{} over LAMMPS, N = {}", name, grains),
@@ -89,9 +84,9 @@ void require_over_lammps(BenchReport& report, std::size_t grains) {
 }
 
 void bench_bed(const BenchOptions& options, const dem::State& state, std::int64_t steps, int turns,
-               double frequency, BenchReport& report) {
+               BenchReport& report) {
     using enum dem::Precision;
-    Round round(options, state.x.size(), steps, turns);
+    Round round(options, steps, turns);
     round.add(native(state, native_double, dem::Kernel::simd, double_precision));
     round.add(native(state, native_mixed, dem::Kernel::simd, mixed));
     round.add(native(state, "native double, frames", dem::Kernel::simd, double_precision, 1, 100));
@@ -103,9 +98,9 @@ void bench_bed(const BenchOptions& options, const dem::State& state, std::int64_
         round.add(without_avx512(native(state, native_mixed, dem::Kernel::simd, mixed)));
     }
     add_programs(
-        round, options, [&](std::int64_t n) { return scene_of(state, n); }, report);
-    round.run(frequency, report);
-    const std::size_t grains = state.x.size();
+        round, options, [&](std::int64_t n) { return scene_of(state, n); }, state.x.size(), report);
+    round.run(report);
+    const auto grains = static_cast<std::int64_t>(state.x.size());
     require_over_lammps(report, grains);
     for (const char* name : {native_double, native_mixed}) {
         add_target(report, fmt::format("{} with a frame every 100 steps, N = {}", name, grains),
@@ -115,10 +110,10 @@ void bench_bed(const BenchOptions& options, const dem::State& state, std::int64_
 }
 
 void bench_wide_bed(const BenchOptions& options, const dem::State& state, std::int64_t steps,
-                    double frequency, BenchReport& report) {
+                    BenchReport& report) {
     using enum dem::Precision;
-    const std::size_t grains = state.x.size();
-    Round round(options, state.x.size(), steps, 5);
+    const auto grains = static_cast<std::int64_t>(state.x.size());
+    Round round(options, steps, 5);
     const std::string two = ", 2 threads";
     round.add(native(state, native_double, dem::Kernel::simd, double_precision));
     round.add(native(state, native_double + two, dem::Kernel::simd, double_precision, 2));
@@ -127,9 +122,9 @@ void bench_wide_bed(const BenchOptions& options, const dem::State& state, std::i
     if (adapters::LammpsCode().probe().installed && adapters::process::find_program("mpirun") &&
         grains <= 100000) {
         round.add(lammps(
-            options, [&](std::int64_t n) { return scene_of(state, n); }, 2, 2, 2));
+            options, [&](std::int64_t n) { return scene_of(state, n); }, state.x.size(), 2, 2, 2));
     }
-    round.run(frequency, report);
+    round.run(report);
     for (const char* name : {native_double, native_mixed}) {
         const auto* one_thread = find(report, name, grains);
         const auto* two_threads = find(report, name + two, grains);
@@ -145,16 +140,17 @@ void bench_wide_bed(const BenchOptions& options, const dem::State& state, std::i
 }
 
 /// The least time that a group and the rows of its list take: instructions that compute, counted in
-/// the machine code of the AVX-512 kernels, with one vector of 64 bytes per cycle (two halves side
-/// by side on machines of half the width). Every row looked at is loaded and tested, at least one
-/// in two also pushes. Lists and branches are not in it.
-void tell_ceiling(BenchReport& report, double frequency) {
+/// the machine code of the AVX-512 kernels, at the rate at which this processor does such a mix.
+/// Every row looked at is loaded and tested, at least one in two also pushes. Lists and branches
+/// are not in it.
+void tell_ceiling(BenchReport& report) {
     struct Counted {
         const char* name;
         double test, push;  // vector instructions per row
         double group;       // and per group: plates, gravity, kick and drift
         double lanes;
     };
+    const double instructions = widest_vector_instructions_per_second();
     for (const Counted c :
          {Counted{native_mixed, 24, 17, 47, 16}, Counted{native_double, 13, 23, 42, 8}}) {
         const auto* row = find(report, c.name, 1024);
@@ -162,13 +158,15 @@ void tell_ceiling(BenchReport& report, double frequency) {
             continue;
         }
         const double neighbours = std::stod(row->details.at("neighbours looked at"));
-        const double cycles = (neighbours * (c.test + c.push / 2) + c.group) / c.lanes;
+        const double ceiling =
+            instructions * c.lanes / (neighbours * (c.test + c.push / 2) + c.group);
         report.notes.push_back(fmt::format(
             "{}: ceiling {:.0f} million particle-steps/s: {:.2f} neighbours looked at, {} vector "
             "instructions to load and test a row of {}, {} more where one touches, {} to move the "
-            "grains, one per cycle at {:.2f} GHz; measured {:.0f} % of it",
-            c.name, frequency / cycles / 1e6, neighbours, c.test, c.lanes, c.push, c.group,
-            frequency / 1e9, 100 * row->rate * cycles / frequency));
+            "grains, {:.2f}e9 instructions per second as measured beside it; reached "
+            "{:.0f} % of it",
+            c.name, ceiling / 1e6, neighbours, c.test, c.lanes, c.push, c.group, instructions / 1e9,
+            100 * row->rate / ceiling));
     }
 }
 
@@ -176,18 +174,17 @@ void tell_ceiling(BenchReport& report, double frequency) {
 
 BenchReport bench_dem(const BenchOptions& options) {
     BenchReport report;
-    const double frequency = clock_frequency();
     const dem::State small = fluidised(1024);
-    bench_bed(options, small, 4000, options.quick ? 4 : 16, frequency, report);
+    bench_bed(options, small, 4000, options.quick ? 4 : 16, report);
     if (!options.quick) {
         const dem::State medium = fluidised(10000);
-        bench_bed(options, medium, 600, 16, frequency, report);
-        bench_wide_bed(options, side_by_side(medium, 10), 300, frequency, report);
-        bench_wide_bed(options, side_by_side(medium, 100), 60, frequency, report);
+        bench_bed(options, medium, 600, 16, report);
+        bench_wide_bed(options, side_by_side(medium, 10), 300, report);
+        bench_wide_bed(options, side_by_side(medium, 100), 60, report);
         bench_accuracy(report, options);
     }
     tell_ratios(report, {"lammps", "lammps, 2 ranks", "liggghts", "yade"});
-    tell_ceiling(report, frequency);
+    tell_ceiling(report);
     return report;
 }
 

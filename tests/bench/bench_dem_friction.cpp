@@ -40,25 +40,21 @@ scene::Scene asked_of(const Law& law, scene::Scene s, std::int64_t steps) {
 }
 
 Contender contender(const Law& law, const scene::Scene& s, const BenchOptions& options) {
+    const std::size_t grains = mobile_grains(s);
     const SceneOf asked = [law, s](std::int64_t steps) { return asked_of(law, s, steps); };
     Contender c = law.code->name() == "lammps"
-                      ? lammps(options, asked, 1, law.share, law.every)
-                      : program(*law.code, options, asked, law.share, law.every);
+                      ? lammps(options, asked, grains, 1, law.share, law.every)
+                      : program(*law.code, options, asked, grains, law.share, law.every);
     c.name = law.name;
-    c.run = [run = std::move(c.run), law](std::int64_t steps) {
-        Turn turn = run(steps);
-        turn.details["conventions"] = law.conventions;
-        return turn;
-    };
+    c.details = {{"conventions", law.conventions}};
     return c;
 }
 
 /// All laws on one scene, those that are not here or cannot express it told in the notes.
 void bench_scene(const std::string& name, const scene::Scene& s, std::int64_t steps,
-                 std::vector<Law> laws, const BenchOptions& options, double frequency,
-                 BenchReport& report) {
-    const std::size_t grains = mobile_grains(s);
-    Round round(options, grains, steps, options.quick ? 2 : 10);
+                 std::vector<Law> laws, const BenchOptions& options, BenchReport& report) {
+    const auto grains = static_cast<std::int64_t>(mobile_grains(s));
+    Round round(options, steps, options.quick ? 2 : 10);
     for (Law& law : laws) {
         law.name += ", " + name;
         if (const auto reason = cannot_take_part(*law.code, asked_of(law, s, 1))) {
@@ -67,7 +63,7 @@ void bench_scene(const std::string& name, const scene::Scene& s, std::int64_t st
             round.add(contender(law, s, options));
         }
     }
-    round.run(frequency, report);
+    round.run(report);
     const std::string native = laws.front().name;
     for (const Law& law : laws) {
         if (law.code->name() != "lammps") continue;
@@ -101,11 +97,9 @@ BenchReport bench_dem_friction(const BenchOptions& options) {
          .every = 2},
         {.name = "yade", .code = &yade, .conventions = "yade", .share = 0.2, .every = 5}};
     BenchReport report;
-    const double frequency = clock_frequency();
-    bench_scene("pipe", pipe_of_grains(), options.quick ? 40000 : 100000, laws, options, frequency,
-                report);
+    bench_scene("pipe", pipe_of_grains(), options.quick ? 40000 : 100000, laws, options, report);
     const auto filled = hopper_of_grains(options.quick ? 40 : 100);
-    bench_scene("hopper", filled, options.quick ? 4000 : 2500, laws, options, frequency, report);
+    bench_scene("hopper", filled, options.quick ? 4000 : 2500, laws, options, report);
     return report;
 }
 

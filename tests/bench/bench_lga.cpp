@@ -1,26 +1,19 @@
 // crossgrain bench lga: site updates (site x step x replica) per CPU second of the lattice gas by
 // width of words, against the table engine in the same run; the dense case; the cost of measuring;
 // what two blocks of words on two threads give; where the time of a step goes; and how exactly a
-// probability is honoured. What is timed is the CPU time of the thread at work, so that a busy
-// machine does not decide; contenders take turns, and the fastest stretch counts.
-#include "native/base/cpu_time.hpp"
+// probability is honoured.
 #include "native/base/errors.hpp"
 #include "native/lga/ensemble.hpp"
 #include "native/lga/profile.hpp"
-#include "tests/bench/bench.hpp"
+#include "tests/bench/bench_round.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <barrier>
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -68,112 +61,84 @@ lga::Model reading_p(double dissipation, double density) {
     return model;
 }
 
-/// An ensemble that is timed in stretches.
-struct Contender {
-    std::string name;
-    std::unique_ptr<lga::Ensemble> gas;
-    int replicas = 0;
-    std::int64_t stretch = 0;  ///< steps
-    bool measures = false;
-    double best_s = std::numeric_limits<double>::infinity();  ///< per step
+using Gas = std::shared_ptr<lga::Ensemble>;
 
-    void take_turn() {
-        lga::BinValues values;
-        const double start = thread_cpu_seconds();
-        for (std::int64_t done = 0; done < stretch; done += every) {
-            gas->advance(every);
-            if (measures) gas->measure(bin, {}, values);
-        }
-        best_s = std::min(best_s, (thread_cpu_seconds() - start) / static_cast<double>(stretch));
-    }
-    [[nodiscard]] double rate() const { return 220.0 * 11.0 * replicas / best_s; }
-};
+/// In the steady state.
+Gas steady(Gas gas, bool quick) {
+    gas->advance(quick ? 500 : 3000);
+    return gas;
+}
 
-Contender sliced(const std::string& name, lga::Model model, int bits, bool quick) {
+Gas sliced(lga::Model model, int bits, bool quick) {
     model.replicas = bits;
-    Contender c{.name = name,
-                .gas = lga::make_sliced_ensemble(model, bits),
-                .replicas = bits,
-                .stretch = quick ? 50 : 200};
-    c.gas->advance(quick ? 500 : 3000);  // into the steady state
-    return c;
+    return steady(lga::make_sliced_ensemble(model, bits), quick);
 }
 
-Contender table(const std::string& name, lga::Model model, bool quick) {
-    model.replicas = 4;
-    Contender c{.name = name,
-                .gas = lga::make_table_ensemble(model),
-                .replicas = 4,
-                .stretch = quick ? 50 : 100};
-    c.gas->advance(quick ? 500 : 3000);
-    return c;
+Gas by_table(lga::Model model, int replicas, bool quick) {
+    model.replicas = replicas;
+    return steady(lga::make_table_ensemble(model), quick);
 }
 
-void take_turns(std::vector<Contender>& contenders, const BenchOptions& options) {
-    const int turns = options.quick ? 5 : 25;
-    for (int turn = 0; turn < turns; ++turn) {
-        for (auto& contender : contenders) {
-            if (options.stop.stop_requested()) throw Interrupted();
-            contender.take_turn();
-        }
-    }
-    if (!options.progress) return;
-    for (const auto& c : contenders) {
-        options.progress(fmt::format("{}: {:.3g} site updates per CPU second", c.name, c.rate()));
-    }
-}
+enum class Measured { no, yes };
 
-const Contender& named(const std::vector<Contender>& contenders, const std::string& name) {
-    return *std::ranges::find(contenders, name, &Contender::name);
+/// Steps of so many replicas, measured every so often or not.
+Contender contender(std::string name, const Gas& gas, int replicas, double share = 1,
+                    Measured measured = Measured::no) {
+    const auto turn = [=](std::int64_t steps) {
+        lga::BinValues values;
+        const auto cost = timed([&] {
+            for (std::int64_t done = 0; done < steps; done += every) {
+                gas->advance(every);
+                if (measured == Measured::yes) gas->measure(bin, {}, values);
+            }
+        });
+        return std::vector{Turn{.cost = cost, .steps = static_cast<double>(steps)}};
+    };
+    return {.name = std::move(name),
+            .work = {"site updates", replicas, 220.0 * 11.0 * replicas},
+            .run = turn,
+            .share = share,
+            .details = {{"replicas", std::to_string(replicas)}}};
 }
 
 std::string words_of(int bits) {
     return fmt::format("{}-bit words", bits);
 }
 
+constexpr int table_replicas = 4;
+
 /// The usual case in every width, measured, dense, and by table.
-std::vector<Contender> contenders(bool quick) {
+void all_engines(const BenchOptions& options, BenchReport& report) {
+    const bool quick = options.quick;
     const auto usual = reading_p(0.8, 1.0), dense = reading_p(0.5, 1.8);
     const int widest = lga::word_widths().back();
-    std::vector<Contender> all;
-    for (const int bits : lga::word_widths()) {
-        all.push_back(sliced(words_of(bits), usual, bits, quick));
+    Round round(options, quick ? 50 : 200, quick ? 5 : 25);
+    for (const int bits : lga::word_widths())
+        round.add(contender(words_of(bits), sliced(usual, bits, quick), bits));
+    round.add(contender("measured", sliced(usual, widest, quick), widest, 1, Measured::yes));
+    round.add(contender("dense", sliced(dense, widest, quick), widest));
+    for (const auto& [name, model] : {std::pair{"table", &usual}, {"table, dense", &dense}})
+        round.add(contender(name, by_table(*model, table_replicas, quick), table_replicas, 0.5));
+    round.run(report);
+    for (auto& row : report.rows) {
+        const bool is_dense = row.name.find("dense") != std::string::npos;
+        row.ratios["table engine"] =
+            row.rate / row_named(report, is_dense ? "table, dense" : "table").rate;
     }
-    all.push_back(sliced("measured", usual, widest, quick));
-    all.back().measures = true;
-    all.push_back(sliced("dense", dense, widest, quick));
-    all.push_back(table("table", usual, quick));
-    all.push_back(table("table, dense", dense, quick));
-    return all;
 }
 
-/// Work of two blocks at once on two threads over that of one alone, in the same CPU time of a
-/// thread: what the cores share (memory, clock rate) shows, other programs do not.
-double two_thread_scaling(const BenchOptions& options) {
+/// Two blocks of words at once on two threads: what the cores share (memory, clock rate) shows,
+/// other programs do not.
+ThreadScaling two_blocks(const BenchOptions& options) {
     const int widest = lga::word_widths().back();
-    const auto model = reading_p(0.8, 1.0);
     const std::int64_t steps = options.quick ? 100 : 400;
-    std::vector<Contender> blocks;
-    for (int i = 0; i < 2; ++i)
-        blocks.push_back(sliced("block", model, widest, options.quick));
-    double one = std::numeric_limits<double>::infinity(), two = one;
-    for (int turn = 0; turn < (options.quick ? 2 : 6); ++turn) {
-        if (options.stop.stop_requested()) throw Interrupted();
-        const double start = thread_cpu_seconds();
-        blocks[0].gas->advance(steps);
-        one = std::min(one, thread_cpu_seconds() - start);
-        std::barrier together(2);
-        double spent[2] = {};
-        const auto work = [&](std::size_t i) {
-            together.arrive_and_wait();
-            const double begin = thread_cpu_seconds();
-            blocks[i].gas->advance(steps);
-            spent[i] = thread_cpu_seconds() - begin;
-        };
-        { const std::jthread first(work, 0), second(work, 1); }
-        two = std::min(two, std::max(spent[0], spent[1]));
-    }
-    return 2 * one / two;
+    const auto model = reading_p(0.8, 1.0);
+    const Gas blocks[2] = {sliced(model, widest, options.quick),
+                           sliced(model, widest, options.quick)};
+    return two_threads(options, options.quick ? 2 : 6, [&](int i) {
+        blocks[i]->advance(steps);
+        return 220.0 * 11.0 * widest * static_cast<double>(steps);
+    });
 }
 
 /// Largest difference between some probabilities that are no short binary fractions and how often
@@ -221,10 +186,9 @@ BenchRow profile_row(const std::string& name, const lga::Model& model, int bits,
                         {"measurement (every 10 steps)", percent(p.measurement_ns / every, step)}}};
 }
 
-void add_targets(BenchReport& report, const std::vector<Contender>& all, double scaling,
-                 double bias) {
+void add_targets(BenchReport& report, double scaling, double bias) {
     const int widest = lga::word_widths().back();
-    const auto rate = [&](const std::string& name) { return named(all, name).rate(); };
+    const auto rate = [&](const std::string& name) { return row_named(report, name).rate; };
     const auto widths = lga::word_widths();
     const auto has = [&](int bits) { return std::ranges::find(widths, bits) != widths.end(); };
     if (has(512)) {
@@ -256,24 +220,15 @@ void add_targets(BenchReport& report, const std::vector<Contender>& all, double 
 }  // namespace
 
 BenchReport bench_lga(const BenchOptions& options) {
-    auto all = contenders(options.quick);
-    take_turns(all, options);
     BenchReport report;
-    for (const auto& c : all) {
-        const double against =
-            named(all, c.name.find("dense") == std::string::npos ? "table" : "table, dense").rate();
-        report.rows.push_back({.name = c.name,
-                               .size = c.replicas,
-                               .rate = c.rate(),
-                               .unit = "site updates/cpu-s",
-                               .ratios = {{"table engine", c.rate() / against}},
-                               .details = {{"replicas", std::to_string(c.replicas)}}});
-    }
+    all_engines(options, report);
     const int widest = lga::word_widths().back();
     report.rows.push_back(profile_row("profile", reading_p(0.8, 1.0), widest, options.quick));
     report.rows.push_back(
         profile_row("profile, dense", reading_p(0.5, 1.8), widest, options.quick));
-    add_targets(report, all, two_thread_scaling(options), largest_bias(options));
+    const ThreadScaling threads = two_blocks(options);
+    report.rows.push_back(row_of_threads("two blocks, two threads", "site updates", threads));
+    add_targets(report, threads.cpu, largest_bias(options));
     report.notes.push_back("reading P, L = 220, W = 11, rho = 1, p = .8, g = b = .5; dense: rho = "
                            "1.8, p = .5; counted "
                            "are the L x W sites, the two wall columns beside them are not");

@@ -32,7 +32,9 @@ constexpr double time_limit = 1800;
 template <class Cost>
 Turn short_and_long(const SceneOf& scene, std::int64_t steps, const Cost& cost) {
     const std::int64_t few = std::max<std::int64_t>(steps / 20, 1);
-    return {.cost = cost(scene(few + steps)), .start = cost(scene(few)), .steps = steps};
+    return {.cost = cost(scene(few + steps)),
+            .start = cost(scene(few)),
+            .steps = static_cast<double>(steps)};
 }
 
 /// The adapter's own input with another skin, which a later `neighbor` command sets, on so many
@@ -75,49 +77,50 @@ std::optional<std::string> cannot_take_part(const adapters::GrainCode& code,
     return code.cannot_express(scene);
 }
 
-Contender program(const adapters::GrainCode& code, const BenchOptions& options,
-                  const SceneOf& scene, double share, int every) {
-    return {code.name(),
-            [&code, scene, stop = options.stop](std::int64_t steps) {
-                return short_and_long(scene, steps, [&](const scene::Scene& run) {
-                    const auto scratch = scratch_directory();
-                    return code.run(
-                        run, {.directory = scratch.path(), .time_limit = time_limit, .stop = stop},
-                        [](const scene::Frame&) {});
-                });
-            },
-            share, every};
+Work particle_steps(std::size_t grains) {
+    return {"particle-steps", static_cast<std::int64_t>(grains), static_cast<double>(grains)};
 }
 
-Contender lammps(const BenchOptions& options, const SceneOf& scene, int ranks, double share,
-                 int every) {
-    return {ranks == 1 ? "lammps" : fmt::format("lammps, {} ranks", ranks),
-            [scene, stop = options.stop, ranks,
-             best = std::make_shared<double>(0)](std::int64_t steps) {
-                const auto with = [&](double skin) {
-                    auto turn = short_and_long(scene, steps, [&](const scene::Scene& run) {
-                        return run_lammps(run, skin, ranks, stop);
-                    });
-                    turn.details = {{"skin", fmt::format("{:.3g}", skin)}};
-                    return turn;
-                };
-                if (*best > 0) return with(*best);
-                Turn fastest;
-                for (const double skin : {0.15, 0.25, 0.35, 0.5, 0.7, 1.0}) {
-                    const Turn turn = with(skin);
-                    const auto net = [](const Turn& t) { return t.cost.cpu_s - t.start.cpu_s; };
-                    if (*best == 0 || net(turn) < net(fastest)) {
-                        fastest = turn;
-                        *best = skin;
-                    }
-                }
-                return fastest;
-            },
-            share, every};
+Contender program(const adapters::GrainCode& code, const BenchOptions& options,
+                  const SceneOf& scene, std::size_t grains, double share, int every) {
+    const auto turn = [&code, scene, stop = options.stop](std::int64_t steps) {
+        return std::vector{short_and_long(scene, steps, [&](const scene::Scene& run) {
+            const auto scratch = scratch_directory();
+            return code.run(run,
+                            {.directory = scratch.path(), .time_limit = time_limit, .stop = stop},
+                            [](const scene::Frame&) {});
+        })};
+    };
+    return {code.name(), particle_steps(grains), turn, share, every};
+}
+
+Contender lammps(const BenchOptions& options, const SceneOf& scene, std::size_t grains, int ranks,
+                 double share, int every) {
+    const auto with_skin = [scene, stop = options.stop, ranks](std::int64_t steps, double skin) {
+        auto turn = short_and_long(scene, steps, [&](const scene::Scene& run) {
+            return run_lammps(run, skin, ranks, stop);
+        });
+        turn.details = {{"skin", fmt::format("{:.3g}", skin)}};
+        return turn;
+    };
+    const auto turn = [with_skin, best = std::make_shared<double>(0)](std::int64_t steps) {
+        if (*best > 0) return std::vector{with_skin(steps, *best)};
+        const auto net = [](const Turn& t) { return t.cost.cpu_s - t.start.cpu_s; };
+        Turn fastest;
+        for (const double skin : {0.15, 0.25, 0.35, 0.5, 0.7, 1.0}) {
+            Turn tried = with_skin(steps, skin);
+            if (*best > 0 && net(tried) >= net(fastest)) continue;
+            fastest = std::move(tried);
+            *best = skin;
+        }
+        return std::vector{fastest};
+    };
+    return {ranks == 1 ? "lammps" : fmt::format("lammps, {} ranks", ranks), particle_steps(grains),
+            turn, share, every};
 }
 
 void add_programs(Round& round, const BenchOptions& options, const SceneOf& scene,
-                  BenchReport& report) {
+                  std::size_t grains, BenchReport& report) {
     static const adapters::LammpsCode lammps_code;
     static const adapters::LiggghtsCode liggghts;
     static const adapters::YadeCode yade;
@@ -126,9 +129,9 @@ void add_programs(Round& round, const BenchOptions& options, const SceneOf& scen
         if (reason) report.notes.push_back(fmt::format("{}: {}", code.name(), *reason));
         return !reason;
     };
-    if (present(lammps_code)) round.add(lammps(options, scene, 1, 5, 2));
-    if (present(liggghts)) round.add(program(liggghts, options, scene, 2, 2));
-    if (present(yade)) round.add(program(yade, options, scene, 1, 5));
+    if (present(lammps_code)) round.add(lammps(options, scene, grains, 1, 5, 2));
+    if (present(liggghts)) round.add(program(liggghts, options, scene, grains, 2, 2));
+    if (present(yade)) round.add(program(yade, options, scene, grains, 1, 5));
 }
 
 }  // namespace crossgrain::bench

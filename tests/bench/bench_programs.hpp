@@ -20,16 +20,19 @@ using SceneOf = std::function<scene::Scene(std::int64_t steps)>;
 [[nodiscard]] std::optional<std::string> cannot_take_part(const adapters::GrainCode& code,
                                                           const scene::Scene& scene);
 
+/// Steps of so many moving grains.
+[[nodiscard]] Work particle_steps(std::size_t grains);
+
 /// Every code of ours or others, through its adapter.
 [[nodiscard]] Contender program(const adapters::GrainCode& code, const BenchOptions& options,
-                                const SceneOf& scene, double share, int every);
+                                const SceneOf& scene, std::size_t grains, double share, int every);
 
 /// LAMMPS on so many MPI ranks. Tries several skins in its first turn and keeps to the best.
-[[nodiscard]] Contender lammps(const BenchOptions& options, const SceneOf& scene, int ranks,
-                               double share, int every);
+[[nodiscard]] Contender lammps(const BenchOptions& options, const SceneOf& scene,
+                               std::size_t grains, int ranks, double share, int every);
 
 /// The programs that are here join the round; of those that are not, why.
 void add_programs(Round& round, const BenchOptions& options, const SceneOf& scene,
-                  BenchReport& report);
+                  std::size_t grains, BenchReport& report);
 
 }  // namespace crossgrain::bench
