@@ -121,6 +121,10 @@ class LawfulSystem {
         field_.accelerations(law_, q, v, t, a);
     }
     [[nodiscard]] double diameter() const noexcept { return field_.parameters().diameter; }
+    /// (1/t): no mode of the dashpots decays faster; a grain has six contacts at most.
+    [[nodiscard]] double largest_dashpot_rate() const noexcept {
+        return 12 * field_.parameters().damping / field_.parameters().mass;
+    }
 
   private:
     ForceField& field_;

@@ -58,16 +58,6 @@ std::string method_name(const Scene& packing, double restitution, ContactState s
                        packing.plates.bottom ? " between plates" : "");
 }
 
-/// Whether the engine's iteration for the implicit velocities of Crank-Nicolson damping ends before
-/// the scheme does: its hundred rounds take the packing's largest velocity, 4e-6, below 1e-14 if
-/// dt/2 times the largest rate of the dashpots, 9 eta/m in a triangular lattice (6 eta/m normal
-/// only), is below (1e-14/4e-6)^(1/100) = 0.82.
-bool limited_by_solver(const Scene& packing, double dt) {
-    if (packing.integrator != Integrator::leapfrog_crank_nicolson) return false;
-    const bool full = packing.contact.damping_acts_on == scene::Damping::full_vector;
-    return dt / 2 * (full ? 9 : 6) * packing.contact.damping / packing.grains.mass > 0.82;
-}
-
 /// Whether a trial can tell the limit. Where a pair z of the Euler schemes leaves the unit disc
 /// slowly, the energy of its mode grows per step by |z - 1|^2 (Taguchi's scheme: half of that)
 /// times the excess over the limit: at twice the tolerance it must rise within the trial as far as
@@ -141,7 +131,7 @@ void add_searches(const Scene& model, const Method& method, double restitution, 
         const PackingTheory& theory = limit_of_packing(packing, method.theory, limits);
         found.packing = theory;
         if (theory.limit > 0) packing.dt = theory.limit;
-        if (theory.limit > 0 && !limited_by_solver(packing, theory.limit) &&
+        if (theory.limit > 0 &&
             resolved_by_trial(method.theory, theory.eigenvalue, found.tolerance))
             found.theory = theory.limit;
     } else {
