@@ -60,7 +60,7 @@ HopperReading read_reading(const KeyedTable& t) {
 
 /// Full opening angles in degrees.
 Range angle_range() {
-    return {0, std::nextafter(180.0, 0.0), true, "an angle in (0, 180) degrees"};
+    return {0, 180, true, true, "an angle in (0, 180) degrees"};
 }
 
 const TableKeys& angle_sweep_keys() {

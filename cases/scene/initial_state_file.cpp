@@ -136,7 +136,8 @@ Pipe read_pipe(const KeyedTable& t) {
 std::vector<Key> hopper_parts() {
     return {{"angle",
              NumberRule{{.low = 0,
-                         .high = std::nextafter(180.0, 0.0),
+                         .high = 180,
+                         .high_open = true,
                          .text = "degrees in [0, 180), the whole opening angle"}},
              "theta in degrees, the whole opening", required},
             {"outlet", NumberRule{Range::positive()}, "width of the opening", required},

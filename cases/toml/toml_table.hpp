@@ -5,6 +5,7 @@
 
 #include "cases/toml/text_rules.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/range.hpp"
 
 #include <toml++/toml.h>
 
@@ -20,20 +21,7 @@
 
 namespace crossgrain::toml_input {
 
-/// Closed or open interval of valid numbers, with its text for error lines.
-struct Range {
-    double low;
-    double high;
-    bool low_open = false;
-    std::string text;  ///< e.g. "a number > 0"
-
-    static Range any();
-    static Range positive();
-    static Range not_negative();
-    static Range left_open(double low, double high);  ///< low < value <= high
-    static Range at_least(double low);
-    [[nodiscard]] bool holds(double value) const;
-};
+using crossgrain::Range;
 
 class TomlTable {
   public:
