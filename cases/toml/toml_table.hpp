@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cases/toml/text_rules.hpp"
+#include "native/base/enum_words.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/range.hpp"
 
@@ -50,6 +51,10 @@ class TomlTable {
     /// One of `words`; returns its index.
     [[nodiscard]] std::size_t choice(std::string_view key,
                                      std::span<const std::string> words) const;
+    template <HasWords E>
+    [[nodiscard]] E choice(std::string_view key) const {
+        return static_cast<E>(choice(key, all_words<E>()));
+    }
     /// All layers' sub-tables of that key; an absent one reads as empty.
     [[nodiscard]] TomlTable table(std::string_view key) const;
     /// The tables of an array of tables, from the first layer that has it; empty if none has.
