@@ -82,8 +82,8 @@ inline OptionKeys option_keys(DisplacementSpectrumOptions& o) {
 /// `displacement_vectors`. A group with a layer-
 /// averaged S of zero anywhere in a window (empty layers) gives no slope; a window beyond L/2 gives
 /// none either. Nothing for scenes without bottom, lid or period, or whose period is not a whole
-/// number of diameters. Throws std::invalid_argument unless spacing > 0,
-/// 1 <= k_min < k_max, 1 <= tail_min < tail_max, and every group has 1 <= first <= last.
+/// number of diameters. Throws std::invalid_argument for an option out of range, and
+/// unless k_min < k_max, 1 <= tail_min < tail_max, and every group has 1 <= first <= last.
 class DisplacementSpectrum final : public Estimator {
   public:
     using Options = DisplacementSpectrumOptions;

@@ -46,7 +46,7 @@ inline OptionKeys option_keys(EnergyBalanceOptions& o) {
     return {{"skip", &o.skip, Range::not_negative(),
              "time (t) left out of the averages at the start; the balance keeps it"},
             {"samples_per_frame", &o.samples_per_frame, Range::whole(1, 1'000'000),
-             "of the powers, between two frames"},
+             "of the powers, interpolated between frames"},
             {"accurate_within", &o.accurate_within, Range::positive(),
              "largest |energy_residual| of a run that is called accurate; left out: none is"}};
 }
@@ -68,7 +68,7 @@ inline OptionKeys option_keys(EnergyBalanceOptions& o) {
 /// Series "energy": t, kinetic, gravity, elastic, input, dissipated (the last two cumulated), at
 /// most 2000 rows.
 ///
-/// Throws std::invalid_argument for less than one sample per frame. Nothing if the frame interval
+/// Throws std::invalid_argument for an option out of range. Nothing if the frame interval
 /// exceeds t_col/10, if the pair is overdamped (it has no t_col), if grains spin (the force is then
 /// not a function of the frame), or for fewer than three frames. The lid's kinetic and
 /// gravitational energy are in `kinetic` and `gravity`; frozen grains count as at rest.

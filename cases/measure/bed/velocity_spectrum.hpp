@@ -63,8 +63,8 @@ inline OptionKeys option_keys(VelocitySpectrumOptions& o) {
 ///
 /// A time is read at the nearest frame, at most half an interval away; one outside of the run is
 /// not reported. Nothing for scenes that do not start from rows of a lattice. Throws
-/// std::invalid_argument unless 1 <= k_min < k_max, `from` < `to` are given both or neither, and
-/// phases are in [0, 360) degrees.
+/// std::invalid_argument for an option out of range, and unless k_min < k_max and `from` < `to` are
+/// given both or neither.
 class VelocitySpectrum final : public Estimator {
   public:
     using Options = VelocitySpectrumOptions;

@@ -32,7 +32,7 @@ inline OptionKeys option_keys(HopperFlowOptions& o) {
 class HopperFlow final : public HopperEstimator {
   public:
     using Options = HopperFlowOptions;
-    /// Throws std::invalid_argument for more than one angle or `down_to` outside (0, 1).
+    /// Throws std::invalid_argument for more than one angle or an option out of range.
     explicit HopperFlow(const scene::HopperAutomaton& scene, HopperFlowOptions options = {});
     void add(const scene::HopperFrame& frame) override;
     void finish(Results& results) override;
