@@ -16,9 +16,8 @@ struct PipePictureOptions {
 };
 
 inline OptionKeys option_keys(PipePictureOptions& o) {
-    return joined(
-        option_keys(o.record),
-        {{"rows", &o.rows, Range::whole(2, 2000), "most instants shown, equally spaced"}});
+    return joined(option_keys(o.record), {{"rows", &o.rows, Range::whole(2, 2000),
+                                           "most instants shown, equally spaced"}});
 }
 
 /// Picture "space-time": one pixel per bin from left to right (along gravity) and one row per
