@@ -104,7 +104,7 @@ case)
     ;;
 observable)
     absent "$observables/$snake".{hpp,cpp} "$observables_tests/${observables##*/}/${snake}_test.cpp"
-    untaken "{\"$name\"," cases/observables
+    untaken "\"$name\"," cases/observables
     untaken "class $camel " cases/measure
     untaken "struct $camel " cases/measure
     for part in hpp cpp; do
@@ -115,14 +115,9 @@ observable)
     add "$observables_list" "${observables##*/}/$snake.cpp"
     add "$observables_tests/CMakeLists.txt" "measure_tests(${observables##*/} $snake)"
     add_include "$observables_registry" "$observables/$snake.hpp"
-    add "$observables_registry" "{\"$name\",
- \"${observables##*/}\",
- \"$snake: TODO, until then the mean kinetic energy of a grain\",
- {\"skip\"},
- [](const Scene& scene, const ObservableRequest& request) -> EstimatorPointer {
-     return std::make_unique<measure::$camel>(
-         scene, measure::${camel}Options{.skip = number_or(request, \"skip\", 0)});
- }},"
+    add "$observables_registry" "GrainObservable::of<measure::$camel>(
+    \"$name\", \"${observables##*/}\",
+    \"$snake: TODO, until then the mean kinetic energy of a grain\"),"
     hint="a case asks for it by [[observable]] name = \"$name\""
     ;;
 oracle)

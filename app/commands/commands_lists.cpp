@@ -81,12 +81,15 @@ int list_observables(const Settings& settings) {
     nlohmann::json list = nlohmann::json::array();
     reports::TextTable table({"observable", "model", "measures", "options"});
     for (const auto& entry : observables::observable_texts()) {
+        std::vector<std::string> options;
+        for (const auto& option : entry.options)
+            options.push_back(option.name);
         list.push_back({{"observable", entry.name},
                         {"model", entry.model},
                         {"measures", entry.measures},
-                        {"options", entry.options}});
-        table.add({entry.name, entry.model, entry.measures,
-                   fmt::format("{}", fmt::join(entry.options, ", "))});
+                        {"options", options}});
+        table.add(
+            {entry.name, entry.model, entry.measures, fmt::format("{}", fmt::join(options, ", "))});
     }
     if (settings.json) {
         terminal::print_document(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/scene/any_scene.hpp"
+#include "native/base/enum_words.hpp"
 
 #include <cstdint>
 #include <map>
@@ -17,6 +18,9 @@ namespace crossgrain::catalog {
 /// Which part of the catalogue runs, and at which size. `quick` applies a case's [quick] table,
 /// `chart` its [chart] table: the ladder that is charted for cost and error.
 enum class Suite { quick, full, chart };
+constexpr auto words(Suite /*of*/) {
+    return std::array{"quick", "full", "chart"};
+}
 
 /// Most runs that one case may ask of one code: variants x time steps x replicas.
 inline constexpr std::int64_t most_runs = 100'000;
@@ -37,11 +41,17 @@ struct ObservableRequest {
 };
 
 enum class CheckKind { exact, parity, agree, published };
+constexpr auto words(CheckKind /*of*/) {
+    return std::array{"exact", "parity", "agree", "published"};
+}
 
 /// What a check looks at. Exact: the value of each run, its limit for dt -> 0 over the rungs of
 /// time steps, or the order at which its error falls with dt. Published: the value, or its trend
 /// along a key of the sweep.
 enum class Aspect { value, limit, order, constant, increasing, decreasing };
+constexpr auto words(Aspect /*of*/) {
+    return std::array{"value", "limit", "order", "constant", "increasing", "decreasing"};
+}
 
 [[nodiscard]] constexpr bool is_trend(Aspect aspect) noexcept {
     return aspect == Aspect::constant || aspect == Aspect::increasing ||
@@ -86,6 +96,9 @@ struct ChartedError {
 /// What is fitted over the variants of a case: the exponent a of y ~ x^a or of 1/y ~ x^a;
 /// Beverloo's law y = C (x - k)^(3/2), or its exponent; the slope dy/dx at every inner variant.
 enum class FitLaw { exponent, inverse_exponent, outlet, outlet_exponent, local_slope };
+constexpr auto words(FitLaw /*of*/) {
+    return std::array{"exponent", "inverse-exponent", "outlet", "outlet-exponent", "local-slope"};
+}
 
 /// One measurement over the variants of a case.
 struct Fit {

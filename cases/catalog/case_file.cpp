@@ -47,17 +47,9 @@ std::vector<std::string> read_suites(const KeyedTable& t, const toml::table& roo
     return suites;
 }
 
-/// The table laid over the case in a suite.
-const char* layer_of(Suite suite) {
-    switch (suite) {
-    case Suite::full:
-        break;
-    case Suite::quick:
-        return "quick";
-    case Suite::chart:
-        return "chart";
-    }
-    return "";
+/// The table laid over the case in a suite; none in the full one.
+std::string layer_of(Suite suite) {
+    return suite == Suite::full ? "" : to_string(suite);
 }
 
 /// A chart has a ladder of its own; the quick suite has other values of the case's keys.

@@ -16,20 +16,23 @@ json with_word(const char* key, const std::string& word) {
 }
 
 /// An entry with the options of the observable that it names, and no others.
-json observable_schema(const std::vector<ObservableWords>& observables, const json& written) {
+json observable_schema(KeySchema& schema, const std::vector<ObservableWords>& observables,
+                       const json& written) {
     json names = json::array(), by_name = json::array();
     json properties{{"name", written["properties"]["name"]}};
     for (const auto& observable : observables) {
         names.push_back(observable.name);
-        json allowed{{"name", true}};
+        json allowed{{"name", true}}, needed = json::array({"name"});
         for (const auto& option : observable.options) {
-            allowed[option] = true;
-            properties[option] = written["additionalProperties"];
+            allowed[option.name] = schema.key(option, false);
+            properties[option.name] = written["additionalProperties"];
+            if (option.need == toml_input::Need::required) needed.push_back(option.name);
         }
         by_name.push_back({{"if", with_word("name", observable.name)},
                            {"then",
                             {{"description", observable.text},
                              {"properties", std::move(allowed)},
+                             {"required", std::move(needed)},
                              {"additionalProperties", false}}}});
     }
     properties["name"]["enum"] = std::move(names);
@@ -62,7 +65,7 @@ json case_schema(const std::vector<std::string>& codes,
         json& own = schema.definitions();
         own[schema.name_of(case_keys, false)]["allOf"].push_back(scene);
         json& entry = own[schema.name_of(observable_keys, false)];
-        entry = observable_schema(observables.at(model.name), entry);
+        entry = observable_schema(schema, observables.at(model.name), entry);
         definitions.update(own);
         completions.push_back(file);
         // The first model is that of files that name none.

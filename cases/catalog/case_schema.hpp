@@ -1,6 +1,8 @@
 // The JSON schema of case files, for editors and other programs that check them.
 #pragma once
 
+#include "cases/toml/keys.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <map>
@@ -12,7 +14,7 @@ namespace crossgrain::catalog {
 /// An observable of [[observable]] as far as files name it.
 struct ObservableWords {
     std::string name;
-    std::vector<std::string> options;
+    std::vector<toml_input::Key> options;
     std::string text;  ///< what it measures
 };
 

@@ -18,8 +18,6 @@ using toml_input::TextRule;
 using toml_input::TextsRule;
 using enum toml_input::Need;
 
-const std::vector<std::string> aspects{"value",    "limit",      "order",
-                                       "constant", "increasing", "decreasing"};
 const std::vector<std::string> outcomes{"agree",           "disagree",      "undecided",
                                         "not_expressible", "not_installed", "no_reference"};
 
@@ -82,15 +80,15 @@ void read_place(const KeyedTable& t, Check& check) {
 Check read_check(const KeyedTable& t) {
     Check check;
     check.line = t.line();
-    check.kind = static_cast<CheckKind>(t.choice("kind"));
+    check.kind = t.choice<CheckKind>("kind");
     check.observable = t.text("observable");
-    if (t.has("aspect")) check.aspect = static_cast<Aspect>(t.choice("aspect"));
+    if (t.has("aspect")) check.aspect = t.choice<Aspect>("aspect");
     if (check.kind == CheckKind::exact || check.kind == CheckKind::published) {
         check.against = t.text("against");
     }
     if (is_trend(check.aspect)) {
         if (check.kind != CheckKind::published) {
-            throw t.error("aspect", "is a trend", aspects[static_cast<std::size_t>(check.aspect)],
+            throw t.error("aspect", "is a trend", to_string(check.aspect),
                           "kind = \"published\" with it");
         }
         check.along = t.text("along");
@@ -128,10 +126,9 @@ const TableKeys& check_keys() {
     static const TableKeys keys{
         .name = "check",
         .keys = {
-            {"kind", ChoiceRule{{"exact", "parity", "agree", "published"}}, "of question",
-             required},
+            {"kind", ChoiceRule{all_words<CheckKind>()}, "of question", required},
             {"observable", TextRule{}, "a measurement, a series or \"trajectory\"", required},
-            {"aspect", ChoiceRule{aspects}, "what of it, default \"value\""},
+            {"aspect", ChoiceRule{all_words<Aspect>()}, "what of it, default \"value\""},
             {"against", TextRule{}, "\"analytic:...\" or \"published:<file>/<name>\""},
             {"along", TextRule{}, "key of the sweep along which a trend is judged"},
             {"order", NumberRule{Range::positive()}, "of convergence that is expected"},

@@ -17,10 +17,7 @@ const toml_input::TableKeys& fit_keys() {
     static const toml_input::TableKeys keys{
         .name = "fit",
         .keys = {{"name", TextRule{TextKind::name}, "of the measurement", required},
-                 {"law",
-                  ChoiceRule{
-                      {"exponent", "inverse-exponent", "outlet", "outlet-exponent", "local-slope"}},
-                  "of y over x", required},
+                 {"law", ChoiceRule{all_words<FitLaw>()}, "of y over x", required},
                  {"observable", TextRule{}, "y: a measurement", required},
                  {"along", TextRule{}, "x: a key of the sweep, a setting of y, or a measurement",
                   required},
@@ -35,7 +32,7 @@ std::vector<Fit> read_fits(const KeyedTable& t) {
     std::vector<Fit> fits;
     for (const KeyedTable& entry : t.tables("fit")) {
         Fit fit{.name = entry.text("name"),
-                .law = static_cast<FitLaw>(entry.choice("law")),
+                .law = entry.choice<FitLaw>("law"),
                 .observable = entry.text("observable"),
                 .along = entry.text("along")};
         if (entry.has("tangent")) fit.tangent = entry.boolean("tangent");

@@ -10,6 +10,7 @@ namespace crossgrain::measure {
 template <class FrameT>
 class EstimatorOf {
   public:
+    using Frame = FrameT;
     virtual ~EstimatorOf() = default;
     virtual void add(const FrameT& frame) = 0;
     /// Appends what was measured. An estimator without enough data appends nothing; the verdict

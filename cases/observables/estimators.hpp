@@ -14,7 +14,7 @@
 
 namespace crossgrain::observables {
 
-/// The entry of that name, its options checked. Throws CaseError with the nearest name.
+/// The entry of that name. Throws CaseError with the nearest name.
 template <class Entry>
 const Entry& entry_for(const std::vector<Entry>& entries, const catalog::Case& the_case,
                        const catalog::ObservableRequest& request) {
@@ -32,22 +32,7 @@ const Entry& entry_for(const std::vector<Entry>& entries, const catalog::Case& t
                          .expected = fmt::format("one of {}", fmt::join(names, ", ")),
                          .hint = near ? fmt::format("did you mean \"{}\"?", *near) : ""});
     }
-    const Entry& entry = entries[static_cast<std::size_t>(found - names.begin())];
-    for (const auto& [name, option] : request.options) {
-        const auto& known = entry.options;
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const auto near = toml_input::nearest(name, known);
-        throw CaseError({.file = the_case.file,
-                         .line = option.line,
-                         .column = option.column,
-                         .key = "observable." + name,
-                         .problem = fmt::format("is not an option of '{}'", request.name),
-                         .expected = known.empty()
-                                         ? "no option"
-                                         : fmt::format("one of {}", fmt::join(known, ", ")),
-                         .hint = near ? fmt::format("did you mean '{}'?", *near) : ""});
-    }
-    return entry;
+    return entries[static_cast<std::size_t>(found - names.begin())];
 }
 
 /// Builds the estimators a case asks for. Throws CaseError for an unknown observable or option, or
@@ -59,7 +44,7 @@ auto make_estimators(const catalog::Case& the_case, const SceneT& scene) {
     for (const auto& request : the_case.observables) {
         const auto& entry = entry_for(observables_of(scene), the_case, request);
         try {
-            estimators.push_back(entry.make(subject_of(scene), request));
+            estimators.push_back(entry.make(subject_of(scene), the_case.file, request));
         } catch (const std::invalid_argument& error) {
             throw CaseError({.file = the_case.file,
                              .line = request.line,

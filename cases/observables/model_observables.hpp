@@ -3,11 +3,13 @@
 
 #include "cases/catalog/case.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/observables/option_reading.hpp"
 #include "cases/scene/any_scene.hpp"
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crossgrain::observables {
@@ -17,13 +19,40 @@ template <class SubjectT, class FrameT>
 struct ModelObservable {
     using Subject = SubjectT;
     using Frame = FrameT;
+    using Make = std::unique_ptr<measure::EstimatorOf<FrameT>>(const SubjectT&,
+                                                               const std::string& file,
+                                                               const catalog::ObservableRequest&);
+
     std::string name;
-    std::string folder;                ///< of the estimator, below cases/measure
-    std::string measures;              ///< measurements, series, pictures, findings, in words
-    std::vector<std::string> options;  ///< of [[observable]] in a case file
-    std::function<std::unique_ptr<measure::EstimatorOf<FrameT>>(const SubjectT&,
-                                                                const catalog::ObservableRequest&)>
-        make;
+    std::string folder;                    ///< of the estimator, below cases/measure
+    std::string measures;                  ///< measurements, series, pictures, findings, in words
+    std::vector<toml_input::Key> options;  ///< of [[observable]] in a case file
+    /// Throws CaseError, with its place in `file`, for what is wrong with an option, and
+    /// std::invalid_argument for a scene that cannot be measured.
+    std::function<Make> make;
+
+    /// One that `E` measures. Its options are E::Options, if it has any.
+    template <class E>
+    static ModelObservable of(std::string name, std::string folder, std::string measures) {
+        ModelObservable one{std::move(name), std::move(folder), std::move(measures), {}, {}};
+        if constexpr (requires { typename E::Options; }) {
+            typename E::Options standard;
+            one.options = table_keys(option_keys(standard));
+            one.make = [](const SubjectT& subject, const std::string& file,
+                          const catalog::ObservableRequest& request) {
+                typename E::Options options;
+                read_options(file, request, option_keys(options));
+                return std::make_unique<E>(subject, std::move(options));
+            };
+        } else {
+            one.make = [](const SubjectT& subject, const std::string& file,
+                          const catalog::ObservableRequest& request) {
+                read_options(file, request, {});
+                return std::make_unique<E>(subject);
+            };
+        }
+        return one;
+    }
 };
 
 using GrainObservable = ModelObservable<scene::Scene, scene::Frame>;

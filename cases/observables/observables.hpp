@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/catalog/case.hpp"
+#include "cases/toml/keys.hpp"
 
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@ namespace crossgrain::observables {
 /// An observable as `crossgrain observables` lists it.
 struct ObservableText {
     std::string name, model, measures;
-    std::vector<std::string> options;
+    std::vector<toml_input::Key> options;
 };
 
 [[nodiscard]] std::vector<ObservableText> observable_texts();

@@ -57,14 +57,14 @@ const toml_input::TableKeys& contact_keys() {
                  {"stiffness", NumberRule{Range::positive()}, "k of the linear spring"},
                  {"damping_coefficient", NumberRule{Range::not_negative()},
                   "eta of the dashpot, beside a stiffness"},
-                 {"damping_scale", ChoiceRule{{"absolute", "effective-mass"}},
+                 {"damping_scale", ChoiceRule{all_words<DampingScale>()},
                   "the dashpot as it is, or per effective mass; default \"absolute\""},
-                 {"damping", ChoiceRule{{"full-vector", "normal-only"}},
+                 {"damping", ChoiceRule{all_words<Damping>()},
                   "what the dashpot damps: the relative velocity, or its normal component",
                   required},
-                 {"clipping", ChoiceRule{{"none", "all", "normal-only"}},
+                 {"clipping", ChoiceRule{all_words<Clipping>()},
                   "what is cut where a contact would attract at its end", required},
-                 {"spins", ChoiceRule{{"off", "on"}}, "whether grains rotate", required},
+                 {"spins", ChoiceRule{all_words<Spins>()}, "whether grains rotate", required},
                  {"friction", TableRule{friction_keys}, "tangential force; left out: none"}},
         .groups = {OneOf{{"restitution", "stiffness"}},
                    OneOf{{"restitution", "damping_coefficient"}, false},
@@ -75,7 +75,7 @@ const toml_input::TableKeys& contact_keys() {
 ContactLaw read_contact(const KeyedTable& t, double mass) {
     ContactLaw law;
     if (t.has("damping_scale")) {
-        law.damping_scale = static_cast<DampingScale>(t.choice("damping_scale"));
+        law.damping_scale = t.choice<DampingScale>("damping_scale");
     }
     if (t.exactly_one("restitution") == "restitution") {
         stiffness_from_collision(t, mass, law);
@@ -87,9 +87,9 @@ ContactLaw read_contact(const KeyedTable& t, double mass) {
         law.stiffness = t.number("stiffness");
         law.damping = t.number("damping_coefficient");
     }
-    law.damping_acts_on = static_cast<Damping>(t.choice("damping"));
-    law.clipping = static_cast<Clipping>(t.choice("clipping"));
-    law.spins = static_cast<Spins>(t.choice("spins"));
+    law.damping_acts_on = t.choice<Damping>("damping");
+    law.clipping = t.choice<Clipping>("clipping");
+    law.spins = t.choice<Spins>("spins");
     if (t.has("friction")) law.friction = read_friction(t.table("friction"), law.stiffness);
     check_friction(t, law);
     t.reject_unknown_keys();

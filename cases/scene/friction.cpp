@@ -50,28 +50,4 @@ std::string to_string(const FrictionConventions& conventions) {
                        to_string(conventions.rotation), to_string(conventions.limit));
 }
 
-std::string to_string(TangentialForce value) {
-    return value == TangentialForce::spring ? "spring" : "dashpot";
-}
-
-std::string to_string(Lever value) {
-    return value == Lever::radius ? "radius" : "contact-point";
-}
-
-std::string to_string(SpringRotation value) {
-    switch (value) {
-    case SpringRotation::project:
-        return "project";
-    case SpringRotation::project_and_rescale:
-        return "project-and-rescale";
-    case SpringRotation::rotate:
-        return "rotate";
-    }
-    return {};
-}
-
-std::string to_string(CoulombLimit value) {
-    return value == CoulombLimit::total ? "total" : "spring-only";
-}
-
 }  // namespace crossgrain::scene

@@ -3,27 +3,43 @@
 // which it wants, a code can refuse what it does not have, and a difference can be attributed.
 #pragma once
 
+#include "native/base/enum_words.hpp"
+
 #include <optional>
 #include <string>
 
 namespace crossgrain::scene {
 
+using crossgrain::to_string;
+
 /// `spring`: a tangential spring xi' = v_t with a Coulomb limit, F_t = -k_t xi - gamma_t v_t.
 /// `dashpot`: no history, F_t = -gamma_t v_t with the same limit.
 enum class TangentialForce { spring, dashpot };
+constexpr auto words(TangentialForce /*of*/) {
+    return std::array{"spring", "dashpot"};
+}
 
 /// The arm from a grain's centre to the contact: its radius r, or r - delta/2 with the overlap
 /// delta (of two grains alike the middle of the overlap).
 enum class Lever { radius, contact_point };
+constexpr auto words(Lever /*of*/) {
+    return std::array{"radius", "contact-point"};
+}
 
 /// How a stored spring follows the turning of the normal by an angle a in one step: projected onto
 /// the new tangent (shorter by cos a), projected and rescaled to its old length, or rotated,
 /// s -= s x (n_old x n_new), which makes it longer by 1 + a^2/2.
 enum class SpringRotation { project, project_and_rescale, rotate };
+constexpr auto words(SpringRotation /*of*/) {
+    return std::array{"project", "project-and-rescale", "rotate"};
+}
 
 /// What is cut at mu |F_n|: spring and dashpot together, the spring being set so that their sum is
 /// at the limit; or the spring alone, the dashpot being added only while the contact sticks.
 enum class CoulombLimit { total, spring_only };
+constexpr auto words(CoulombLimit /*of*/) {
+    return std::array{"total", "spring-only"};
+}
 
 struct FrictionConventions {
     Lever velocity_lever = Lever::contact_point;  ///< arm of the spin in the tangential velocity
@@ -52,10 +68,5 @@ struct Friction {
 
 /// The name above, or the four choices in words when it is none of them.
 [[nodiscard]] std::string to_string(const FrictionConventions& conventions);
-
-[[nodiscard]] std::string to_string(TangentialForce value);
-[[nodiscard]] std::string to_string(Lever value);
-[[nodiscard]] std::string to_string(SpringRotation value);
-[[nodiscard]] std::string to_string(CoulombLimit value);
 
 }  // namespace crossgrain::scene

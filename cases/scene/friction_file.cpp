@@ -25,7 +25,7 @@ double spring_stiffness(const KeyedTable& t, double normal_stiffness) {
 }
 
 void read_force(const KeyedTable& t, double normal_stiffness, Friction& friction) {
-    friction.force = static_cast<TangentialForce>(t.choice("force"));
+    friction.force = t.choice<TangentialForce>("force");
     if (friction.force == TangentialForce::spring) {
         friction.stiffness = spring_stiffness(t, normal_stiffness);
         friction.damping = t.optional_number("damping").value_or(0);
@@ -45,24 +45,23 @@ void read_force(const KeyedTable& t, double normal_stiffness, Friction& friction
 
 const toml_input::TableKeys& conventions_keys() {
     using enum toml_input::Need;
-    static const ChoiceRule lever{{"radius", "contact-point"}};
+    static const ChoiceRule lever{all_words<Lever>()};
     static const toml_input::TableKeys keys{
         .name = "friction.conventions",
         .keys = {{"velocity_lever", lever, "arm of a spin in the relative velocity", required},
                  {"torque_lever", lever, "arm of the tangential force in the torque", required},
-                 {"rotation", ChoiceRule{{"project", "project-and-rescale", "rotate"}},
+                 {"rotation", ChoiceRule{all_words<SpringRotation>()},
                   "how the tangential spring turns with the contact", required},
-                 {"limit", ChoiceRule{{"total", "spring-only"}},
+                 {"limit", ChoiceRule{all_words<CoulombLimit>()},
                   "what the Coulomb limit is applied to", required}}};
     return keys;
 }
 
 FrictionConventions read_choices(const KeyedTable& t) {
-    const FrictionConventions conventions{
-        .velocity_lever = static_cast<Lever>(t.choice("velocity_lever")),
-        .torque_lever = static_cast<Lever>(t.choice("torque_lever")),
-        .rotation = static_cast<SpringRotation>(t.choice("rotation")),
-        .limit = static_cast<CoulombLimit>(t.choice("limit"))};
+    const FrictionConventions conventions{.velocity_lever = t.choice<Lever>("velocity_lever"),
+                                          .torque_lever = t.choice<Lever>("torque_lever"),
+                                          .rotation = t.choice<SpringRotation>("rotation"),
+                                          .limit = t.choice<CoulombLimit>("limit")};
     t.reject_unknown_keys();
     return conventions;
 }
@@ -79,7 +78,7 @@ const toml_input::TableKeys& friction_keys() {
     using enum toml_input::Need;
     static const toml_input::TableKeys keys{
         .name = "friction",
-        .keys = {{"force", ChoiceRule{{"spring", "dashpot"}},
+        .keys = {{"force", ChoiceRule{all_words<TangentialForce>()},
                   "tangential force before the Coulomb limit", required},
                  {"coefficient", NumberRule{Range::not_negative()},
                   "mu: the tangential force is at most mu times the normal one", required},

@@ -17,9 +17,6 @@ namespace {
 using toml_input::Range;
 using toml_input::TomlTable;
 
-const std::array<std::string, 2> wall_words{"inside", "outside"};
-const std::array<std::string, 2> relocation_words{"origin-first", "random-walk"};
-
 constexpr const char* site_syntax =
     "directions 0 to 5, or i, i+1, i-1, ..., and R per rest particle, separated by spaces";
 
@@ -193,9 +190,8 @@ GasReading load_gas_reading(const std::string& file) {
                        .text = t.has("text") ? t.prose("text") : "",
                        .rows = read_rows(t),
                        .gravity = read_gravity(t.table("gravity")),
-                       .walls = static_cast<WallPlace>(t.choice("walls", wall_words)),
-                       .relocation =
-                           static_cast<Relocation>(t.choice("relocation", relocation_words)),
+                       .walls = t.choice<WallPlace>("walls"),
+                       .relocation = t.choice<Relocation>("relocation"),
                        .file = file};
     t.reject_unknown_keys();
     return reading;

@@ -3,10 +3,12 @@
 
 #include "cases/scene/gas_sampling.hpp"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 namespace crossgrain::scene {
 
-[[nodiscard]] nlohmann::json to_json(const GasSampling& sampling);
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GasFields, count, rests, momentum)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GasSampling, length, width, periodic, bin, replicas, burn_in,
+                                   steps, every, fields)
 
 }  // namespace crossgrain::scene

@@ -3,23 +3,42 @@
 // Reduced units: lattice spacing 1, one iteration.
 #pragma once
 
+#include "native/base/enum_words.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace crossgrain::scene {
 
+using crossgrain::to_string;
+
 /// Order in which the levels are visited in an iteration.
 enum class HopperSweep { bottom_to_top, top_to_bottom };
+constexpr auto words(HopperSweep /*of*/) {
+    return std::array{"bottom-to-top", "top-to-bottom"};
+}
 /// What a level is: one half-level of the triangular lattice, or a zigzag row of two.
 enum class HopperRows { half_levels, zigzag };
+constexpr auto words(HopperRows /*of*/) {
+    return std::array{"half-levels", "zigzag"};
+}
 /// E_I = C_I |s - o| with s the source's orientation, or the literal printed INEW(I).
 enum class HopperInertia { source_orientation, literal };
+constexpr auto words(HopperInertia /*of*/) {
+    return std::array{"source-orientation", "literal"};
+}
 /// Order and ties from numbers of (iteration, site), or from one stream shared by all sites (the
 /// paper's Experiment 2).
 enum class HopperRandom { per_site, shared_stream };
+constexpr auto words(HopperRandom /*of*/) {
+    return std::array{"per-site", "shared-stream"};
+}
 /// `fast`: hole lists and the mask table; `plain`: the rules as written. Same bits.
 enum class HopperEngine { fast, plain };
+constexpr auto words(HopperEngine /*of*/) {
+    return std::array{"fast", "plain"};
+}
 
 /// A named reading of the rules.
 struct HopperReading {
@@ -47,11 +66,5 @@ struct HopperAutomaton {
     HopperEngine engine = HopperEngine::fast;
     std::uint64_t seed = 0;
 };
-
-[[nodiscard]] std::string to_string(HopperSweep value);
-[[nodiscard]] std::string to_string(HopperRows value);
-[[nodiscard]] std::string to_string(HopperInertia value);
-[[nodiscard]] std::string to_string(HopperRandom value);
-[[nodiscard]] std::string to_string(HopperEngine value);
 
 }  // namespace crossgrain::scene

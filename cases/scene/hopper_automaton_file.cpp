@@ -45,10 +45,10 @@ HopperReading read_reading(const KeyedTable& t) {
         changed = changed || here;
         return here;
     };
-    if (given("sweep")) reading.sweep = static_cast<HopperSweep>(t.choice("sweep"));
-    if (given("rows")) reading.rows = static_cast<HopperRows>(t.choice("rows"));
+    if (given("sweep")) reading.sweep = t.choice<HopperSweep>("sweep");
+    if (given("rows")) reading.rows = t.choice<HopperRows>("rows");
     if (given("inertia")) {
-        reading.inertia = static_cast<HopperInertia>(t.choice("inertia"));
+        reading.inertia = t.choice<HopperInertia>("inertia");
     }
     if (given("rotation")) reading.rotation = t.boolean("rotation");
     if (given("tie_tolerance")) {
@@ -60,7 +60,7 @@ HopperReading read_reading(const KeyedTable& t) {
 
 /// Full opening angles in degrees.
 Range angle_range() {
-    return {0, std::nextafter(180.0, 0.0), true, "an angle in (0, 180) degrees"};
+    return {0, 180, true, true, "an angle in (0, 180) degrees"};
 }
 
 const TableKeys& angle_sweep_keys() {
@@ -186,29 +186,31 @@ const TableKeys& hopper_automaton_keys() {
             readings.push_back(reading.name);
         return TableKeys{
             .name = "scene",
-            .keys =
-                {{"outlet", IntegerRule{2, largest_count}, "N in sites", required},
-                 {"levels", IntegerRule{1, largest_count}, "L", required},
-                 {"angles",
-                  {NumbersRule{angle_range()}, toml_input::TableRule{angle_sweep_keys}},
-                  "full opening angles in degrees"},
-                 {"slope", NumberRule{Range::positive()}, "of the walls: tan(theta/2) = 1/slope"},
-                 {"c_d", coefficient, "C_D, of density", required},
-                 {"c_o", coefficient, "C_O, of orientation", required},
-                 {"c_i", coefficient, "C_I, of inertia", required},
-                 {"c_w", coefficient, "C_W, of walls", required},
-                 {"iterations", IntegerRule{1, most_iterations}, "of the run", required},
-                 {"every", IntegerRule{1}, "iterations between frames; left out: all of them"},
-                 {"replicas", IntegerRule{1, largest_count}, "per angle, default 1"},
-                 {"flipped", IntegerRule{0, largest_count}, "nodes flipped in a twin, default 0"},
-                 {"random", ChoiceRule{{"per-site", "shared-stream"}}, "default \"per-site\""},
-                 {"engine", ChoiceRule{{"fast", "plain"}}, "default \"fast\"; the same bits"},
-                 {"reading", ChoiceRule{readings}, "of the rules, default \"standard\""},
-                 {"sweep", ChoiceRule{{"bottom-to-top", "top-to-bottom"}}, "order of the levels"},
-                 {"rows", ChoiceRule{{"half-levels", "zigzag"}}, "which sites make a row"},
-                 {"inertia", ChoiceRule{{"source-orientation", "literal"}}, "reading of inertia"},
-                 {"rotation", toml_input::BooleanRule{}, "whether grains turn"},
-                 {"tie_tolerance", coefficient, "energies closer than this are equal"}},
+            .keys = {{"outlet", IntegerRule{2, largest_count}, "N in sites", required},
+                     {"levels", IntegerRule{1, largest_count}, "L", required},
+                     {"angles",
+                      {NumbersRule{angle_range()}, toml_input::TableRule{angle_sweep_keys}},
+                      "full opening angles in degrees"},
+                     {"slope", NumberRule{Range::positive()},
+                      "of the walls: tan(theta/2) = 1/slope"},
+                     {"c_d", coefficient, "C_D, of density", required},
+                     {"c_o", coefficient, "C_O, of orientation", required},
+                     {"c_i", coefficient, "C_I, of inertia", required},
+                     {"c_w", coefficient, "C_W, of walls", required},
+                     {"iterations", IntegerRule{1, most_iterations}, "of the run", required},
+                     {"every", IntegerRule{1}, "iterations between frames; left out: all of them"},
+                     {"replicas", IntegerRule{1, largest_count}, "per angle, default 1"},
+                     {"flipped", IntegerRule{0, largest_count},
+                      "nodes flipped in a twin, default 0"},
+                     {"random", ChoiceRule{all_words<HopperRandom>()}, "default \"per-site\""},
+                     {"engine", ChoiceRule{all_words<HopperEngine>()},
+                      "default \"fast\"; the same bits"},
+                     {"reading", ChoiceRule{readings}, "of the rules, default \"standard\""},
+                     {"sweep", ChoiceRule{all_words<HopperSweep>()}, "order of the levels"},
+                     {"rows", ChoiceRule{all_words<HopperRows>()}, "which sites make a row"},
+                     {"inertia", ChoiceRule{all_words<HopperInertia>()}, "reading of inertia"},
+                     {"rotation", toml_input::BooleanRule{}, "whether grains turn"},
+                     {"tie_tolerance", coefficient, "energies closer than this are equal"}},
             .groups = {toml_input::OneOf{{"angles", "slope"}}}};
     }();
     return keys;
@@ -230,10 +232,10 @@ HopperAutomaton read_hopper_automaton(const toml_input::TomlTable& table,
     scene.replicas = optional_count(t, "replicas", 1);
     scene.flipped = optional_count(t, "flipped", 0);
     if (t.has("random")) {
-        scene.random = static_cast<HopperRandom>(t.choice("random"));
+        scene.random = t.choice<HopperRandom>("random");
     }
     if (t.has("engine")) {
-        scene.engine = static_cast<HopperEngine>(t.choice("engine"));
+        scene.engine = t.choice<HopperEngine>("engine");
     }
     t.reject_unknown_keys();
     check_size(t, scene);

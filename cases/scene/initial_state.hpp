@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/scene/scene.hpp"
+#include "native/base/enum_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,9 @@ namespace crossgrain::scene {
 
 /// Which elastic plate a `Bounces` state is thrown at.
 enum class Target { bottom, lid };
+constexpr auto words(Target /*of*/) {
+    return std::array{"bottom", "lid"};
+}
 
 /// How grains differ: diameters uniform in d (1 +- spread), seeded, masses m (d_i/d)^mass_exponent.
 struct SizeSpread {

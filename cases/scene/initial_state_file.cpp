@@ -81,14 +81,14 @@ const TableKeys& bounces_keys() {
         .name = "initial.bounces",
         .keys = {count_key,
                  {"speed", NumberRule{Range::positive()}, "towards the plate", required},
-                 {"target", ChoiceRule{{"bottom", "lid"}}, "the plate, default \"bottom\""},
+                 {"target", ChoiceRule{all_words<Target>()}, "the plate, default \"bottom\""},
                  lead_key}};
     return keys;
 }
 
 Bounces read_bounces(const KeyedTable& t) {
     Bounces bounces{.count = count_of(t, "count"), .speed = t.number("speed")};
-    if (t.has("target")) bounces.target = static_cast<Target>(t.choice("target"));
+    if (t.has("target")) bounces.target = t.choice<Target>("target");
     if (const auto lead = t.optional_number("lead_steps")) {
         bounces.lead_steps = *lead;
     }
@@ -136,7 +136,8 @@ Pipe read_pipe(const KeyedTable& t) {
 std::vector<Key> hopper_parts() {
     return {{"angle",
              NumberRule{{.low = 0,
-                         .high = std::nextafter(180.0, 0.0),
+                         .high = 180,
+                         .high_open = true,
                          .text = "degrees in [0, 180), the whole opening angle"}},
              "theta in degrees, the whole opening", required},
             {"outlet", NumberRule{Range::positive()}, "width of the opening", required},

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "cases/scene/gas_sampling.hpp"
+#include "native/base/enum_words.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -14,6 +15,8 @@
 #include <vector>
 
 namespace crossgrain::scene {
+
+using crossgrain::to_string;
 
 /// Probability as the paper writes it: constant + p_factor * p, with p the dissipation parameter.
 struct RuleProbability {
@@ -34,6 +37,9 @@ struct SiteState {
 /// movers ("spectators") are there, as long as none of them is along a direction the outcome fills.
 /// Rest particles are never spectators: their number is part of the configuration.
 enum class Matching { exact, spectators };
+constexpr auto words(Matching /*of*/) {
+    return std::array{"exact", "spectators"};
+}
 
 /// One line of a collision table. Before and after have the same mass and the same momentum.
 /// What is missing from 1 over the rows of a configuration stays as it is. If several
@@ -54,11 +60,17 @@ struct GravityRule {
 
 /// Where the two wall columns are: counted inside the width W, or added outside it.
 enum class WallPlace { inside, outside };
+constexpr auto words(WallPlace /*of*/) {
+    return std::array{"inside", "outside"};
+}
 
 /// Where a rest particle beyond one per site goes first: to the origin of one of the particles
 /// that stopped (x - v_i, chosen at random; taken or a wall: a random walk goes on from the site),
 /// or straight on a random walk over non-wall neighbours.
 enum class Relocation { origin_first, random_walk };
+constexpr auto words(Relocation /*of*/) {
+    return std::array{"origin-first", "random-walk"};
+}
 
 /// A named reading of the rules, of which the paper's Fig. 1 is lost.
 struct GasReading {
@@ -72,12 +84,21 @@ struct GasReading {
 };
 
 enum class PipeEnds { periodic, open };
+constexpr auto words(PipeEnds /*of*/) {
+    return std::array{"periodic", "open"};
+}
 
 /// What is done when particles at rest exceed the sites that can hold them.
 enum class OnSaturation { fail, record };
+constexpr auto words(OnSaturation /*of*/) {
+    return std::array{"fail", "record"};
+}
 
 /// Which engine: both give the same bits, replica by replica.
 enum class GasEngine { bit_sliced, table };
+constexpr auto words(GasEngine /*of*/) {
+    return std::array{"bit-sliced", "table"};
+}
 
 /// One run: an ensemble of replicas with the same parameters and their own random numbers.
 struct LatticeGas {
@@ -95,12 +116,5 @@ struct LatticeGas {
     OnSaturation on_saturation = OnSaturation::fail;
     std::uint64_t seed = 0;
 };
-
-[[nodiscard]] std::string to_string(Matching value);
-[[nodiscard]] std::string to_string(WallPlace value);
-[[nodiscard]] std::string to_string(Relocation value);
-[[nodiscard]] std::string to_string(PipeEnds value);
-[[nodiscard]] std::string to_string(OnSaturation value);
-[[nodiscard]] std::string to_string(GasEngine value);
 
 }  // namespace crossgrain::scene

@@ -121,18 +121,18 @@ const toml_input::TableKeys& lattice_gas_keys() {
             .name = "scene",
             .keys = {{"reading", toml_input::TextRule{},
                       "of the rules: one that is shipped, or the path of a file", required},
-                     {"ends", ChoiceRule{{"periodic", "open"}}, "of the pipe", required},
+                     {"ends", ChoiceRule{all_words<PipeEnds>()}, "of the pipe", required},
                      {"density", NumberRule{Range::left_open(0, 7)},
                       "rho of a periodic pipe, particles per site"},
                      {"injection", NumberRule{fraction()}, "I of an open pipe"},
                      {"dissipation", NumberRule{fraction()}, "p", required},
                      {"gravity", NumberRule{fraction()}, "g", required},
                      {"roughness", NumberRule{fraction()}, "b of the walls", required},
-                     {"engine", ChoiceRule{{"bit-sliced", "table"}},
+                     {"engine", ChoiceRule{all_words<GasEngine>()},
                       "default \"bit-sliced\"; the same bits"},
                      {"word_bits", toml_input::IntegerRule{1, 512},
                       "of the bit-sliced engine; left out: the best for the replicas"},
-                     {"on_saturation", ChoiceRule{{"fail", "record"}},
+                     {"on_saturation", ChoiceRule{all_words<OnSaturation>()},
                       "when rest particles exceed the free sites; default \"fail\""}},
             .groups = {toml_input::OneOf{{"density", "injection"}}}};
         for (auto& key : gas_sampling_keys())
@@ -149,16 +149,16 @@ LatticeGas read_lattice_gas(const toml_input::TomlTable& table, const SceneSelec
     gas.seed = selection.seed;
     gas.reading = load_gas_reading(reading_file(t, selection.readings));
     gas.sampling = read_gas_sampling(t);
-    gas.ends = static_cast<PipeEnds>(t.choice("ends"));
+    gas.ends = t.choice<PipeEnds>("ends");
     gas.sampling.periodic = gas.ends == PipeEnds::periodic;
     read_filling(t, gas);
     gas.dissipation = t.number("dissipation");
     gas.gravity = t.number("gravity");
     gas.roughness = t.number("roughness");
-    if (t.has("engine")) gas.engine = static_cast<GasEngine>(t.choice("engine"));
+    if (t.has("engine")) gas.engine = t.choice<GasEngine>("engine");
     if (t.has("word_bits")) gas.word_bits = static_cast<int>(t.integer("word_bits"));
     if (t.has("on_saturation")) {
-        gas.on_saturation = static_cast<OnSaturation>(t.choice("on_saturation"));
+        gas.on_saturation = t.choice<OnSaturation>("on_saturation");
     }
     t.reject_unknown_keys();
     check_memory(t, gas);

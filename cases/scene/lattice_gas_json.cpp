@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 
 namespace crossgrain::scene {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GravityRule, rest_to_down, up_diagonals, up_to_rest, on_walls)
+
 namespace {
 
 using nlohmann::json;
@@ -19,11 +22,7 @@ json reading_json(const GasReading& reading) {
                         {"probability", {row.probability.constant, row.probability.p_factor}}});
     }
     return {{"rows", rows},
-            {"gravity",
-             {{"rest_to_down", reading.gravity.rest_to_down},
-              {"up_diagonals", reading.gravity.up_diagonals},
-              {"up_to_rest", reading.gravity.up_to_rest},
-              {"on_walls", reading.gravity.on_walls}}},
+            {"gravity", reading.gravity},
             {"walls", to_string(reading.walls)},
             {"relocation", to_string(reading.relocation)}};
 }
@@ -48,7 +47,7 @@ json to_json(const LatticeGas& gas) {
     result["model"] = "lattice-gas";
     result["name"] = gas.name;
     result["reading"] = reading_json(gas.reading);
-    result["sampling"] = to_json(gas.sampling);
+    result["sampling"] = gas.sampling;
     result["seed"] = gas.seed;
     return result;
 }

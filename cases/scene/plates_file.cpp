@@ -73,18 +73,18 @@ Lid read_lid(const KeyedTable& t) {
 const TableKeys& plates_keys() {
     static const TableKeys keys{
         .name = "plates",
-        .keys = {
-            {"touch", ChoiceRule{{"centre", "surface"}}, "what of a grain they act on", required},
-            {"stiffness", NumberRule{Range::positive()}, "left out: the contact's"},
-            {"bottom", TableRule{bottom_keys},
-             "y = height + amplitude cos(2 pi (t/period + phase))"},
-            {"lid", TableRule{lid_keys}, "free with a mass, or prescribed like the bottom"}}};
+        .keys = {{"touch", ChoiceRule{all_words<PlateContact>()}, "what of a grain they act on",
+                  required},
+                 {"stiffness", NumberRule{Range::positive()}, "left out: the contact's"},
+                 {"bottom", TableRule{bottom_keys},
+                  "y = height + amplitude cos(2 pi (t/period + phase))"},
+                 {"lid", TableRule{lid_keys}, "free with a mass, or prescribed like the bottom"}}};
     return keys;
 }
 
 Plates read_plates(const KeyedTable& t, double contact_stiffness) {
     Plates plates;
-    plates.touches = static_cast<PlateContact>(t.choice("touch"));
+    plates.touches = t.choice<PlateContact>("touch");
     plates.stiffness = t.optional_number("stiffness").value_or(contact_stiffness);
     if (t.has("bottom")) plates.bottom = read_prescribed_plate(t.table("bottom"));
     if (t.has("lid")) plates.lid = read_lid(t.table("lid"));

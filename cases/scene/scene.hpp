@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cases/scene/friction.hpp"
+#include "native/base/enum_words.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,20 +14,34 @@
 
 namespace crossgrain::scene {
 
+using crossgrain::to_string;
+
 /// Which part of the relative velocity the dashpot acts on.
 /// `full_vector` is Taguchi's Eq. (1); `normal_only` is the default of many other codes.
 enum class Damping { full_vector, normal_only };
+constexpr auto words(Damping /*of*/) {
+    return std::array{"full-vector", "normal-only"};
+}
 
 /// What happens when the total normal force (spring + dashpot) becomes attractive at the end of a
 /// contact: `none` keeps the attraction (Taguchi, Eq. 1), `all` cuts the whole contact force,
 /// `normal_only` cuts the normal force and keeps the tangential dashpot.
 enum class Clipping { none, all, normal_only };
+constexpr auto words(Clipping /*of*/) {
+    return std::array{"none", "all", "normal-only"};
+}
 
 /// Whether grains rotate. With `on` the tangential dashpot acts at the point of contact.
 enum class Spins { off, on };
+constexpr auto words(Spins /*of*/) {
+    return std::array{"off", "on"};
+}
 
 /// What a horizontal plate touches: the grain's centre (Taguchi, Eqs. 2 and 14) or its surface.
 enum class PlateContact { centre, surface };
+constexpr auto words(PlateContact /*of*/) {
+    return std::array{"centre", "surface"};
+}
 
 /// `verlet_half_step`: kick dt/2, drift dt, force from (x_{n+1}, v_{n+1/2}), kick dt/2. This is
 /// what LAMMPS and LIGGGHTS do, and it is YADE's leap-frog seen half a step apart.
@@ -49,17 +64,31 @@ enum class Integrator {
     taguchi_euler,
     taguchi_adaptive_euler
 };
+constexpr auto words(Integrator /*of*/) {
+    return std::array{"verlet-half-step",    "verlet-predicted",      "leapfrog-crank-nicolson",
+                      "semi-implicit-euler", "explicit-euler",        "runge-kutta-4",
+                      "taguchi-euler",       "taguchi-adaptive-euler"};
+}
 
 /// Which pairs may touch: any two grains, or only the six that are neighbours in the triangular
 /// lattice the run starts from (Taguchi, section 3), whatever passes through whatever.
 enum class Contacts { neighbour_list, lattice_neighbours };
+constexpr auto words(Contacts /*of*/) {
+    return std::array{"neighbour-list", "lattice-neighbours"};
+}
 
 /// Arithmetic of the run: double throughout, or fixed-point positions with float velocities.
 enum class Precision { double_precision, mixed };
+constexpr auto words(Precision /*of*/) {
+    return std::array{"double", "mixed"};
+}
 
 /// Whether a dashpot is as strong as it says, or per unit of the pair's effective mass
 /// m_i m_j/(m_i + m_j), a frozen grain counting as infinitely heavy.
 enum class DampingScale { absolute, effective_mass };
+constexpr auto words(DampingScale /*of*/) {
+    return std::array{"absolute", "effective-mass"};
+}
 
 /// Linear spring-dashpot contact between two discs:
 /// F_i = k (d - r) n - eta (v_i - v_j), contact while r < d  (Taguchi, Eq. 1).
@@ -184,14 +213,5 @@ struct Scene {
 
 /// Number of pairs in contact and of grains in contact with a plate at t = 0.
 [[nodiscard]] std::size_t initial_contacts(const Scene& scene);
-
-[[nodiscard]] std::string to_string(Damping value);
-[[nodiscard]] std::string to_string(Clipping value);
-[[nodiscard]] std::string to_string(Spins value);
-[[nodiscard]] std::string to_string(DampingScale value);
-[[nodiscard]] std::string to_string(PlateContact value);
-[[nodiscard]] std::string to_string(Integrator value);
-[[nodiscard]] std::string to_string(Contacts value);
-[[nodiscard]] std::string to_string(Precision value);
 
 }  // namespace crossgrain::scene

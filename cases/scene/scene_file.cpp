@@ -32,7 +32,8 @@ const TableKeys& grains_keys() {
                  {"mass", NumberRule{Range::positive()}, "of a grain of that diameter", required},
                  {"diameter_spread",
                   NumberRule{{.low = 0,
-                              .high = std::nextafter(1.0, 0.0),
+                              .high = 1,
+                              .high_open = true,
                               .text = "a number in [0, 1): 0.05 is 5 % to either side"}},
                   "share by which diameters differ to either side, default 0"},
                  {"mass_exponent", NumberRule{Range::not_negative()},
@@ -216,14 +217,11 @@ const TableKeys& scene_keys() {
              {"drag", NumberRule{Range::not_negative()}, "force -drag v on a grain, default 0"},
              {"periodic_x", NumberRule{Range::positive()}, "length; left out: open"},
              {"periodic_y", NumberRule{Range::positive()}, "length; left out: open"},
-             {"integrator",
-              ChoiceRule{{"verlet-half-step", "verlet-predicted", "leapfrog-crank-nicolson",
-                          "semi-implicit-euler", "explicit-euler", "runge-kutta-4", "taguchi-euler",
-                          "taguchi-adaptive-euler"}},
+             {"integrator", ChoiceRule{all_words<Integrator>()},
               "how motion is integrated; foreign codes know \"verlet-half-step\"", required},
-             {"contacts", ChoiceRule{{"neighbour-list", "lattice-neighbours"}},
+             {"contacts", ChoiceRule{all_words<Contacts>()},
               "where contacts are looked for, default \"neighbour-list\""},
-             {"precision", ChoiceRule{{"double", "mixed"}}, "default \"double\""},
+             {"precision", ChoiceRule{all_words<Precision>()}, "default \"double\""},
              {"skin", NumberRule{Range::positive()}, "of neighbour lists; left out: chosen"},
              {"dt", NumbersRule{Range::positive()}, "time step, or a ladder of them"},
              {"steps_per_contact_time", NumbersRule{Range::positive()},
@@ -263,12 +261,12 @@ Scene read_scene(const toml_input::TomlTable& table, const SceneSelection& selec
     }
     scene.periodic_x = t.optional_number("periodic_x");
     scene.periodic_y = t.optional_number("periodic_y");
-    scene.integrator = static_cast<Integrator>(t.choice("integrator"));
+    scene.integrator = t.choice<Integrator>("integrator");
     if (t.has("contacts")) {
-        scene.contacts = static_cast<Contacts>(t.choice("contacts"));
+        scene.contacts = t.choice<Contacts>("contacts");
     }
     if (t.has("precision")) {
-        scene.precision = static_cast<Precision>(t.choice("precision"));
+        scene.precision = t.choice<Precision>("precision");
     }
     scene.skin = t.optional_number("skin");
     check_consistency(t, scene);

@@ -6,6 +6,11 @@
 #include <algorithm>
 
 namespace crossgrain::scene {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BackingPlanes, stiffness, left, right)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Preparation, steps, removed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FreeLid, mass, height, velocity)
+
 namespace {
 
 using nlohmann::json;
@@ -46,24 +51,13 @@ void add_unusual_choices(const Scene& scene, json& result) {
     }
     if (scene.skin) result["skin"] = *scene.skin;
     if (scene.drag != 0) result["drag"] = scene.drag;
-    if (scene.backing) {
-        result["backing"] = {{"stiffness", scene.backing->stiffness},
-                             {"left", scene.backing->left},
-                             {"right", scene.backing->right}};
-    }
-    if (scene.preparation) {
-        result["preparation"] = {{"steps", scene.preparation->steps},
-                                 {"removed", scene.preparation->removed}};
-    }
+    if (scene.backing) result["backing"] = *scene.backing;
+    if (scene.preparation) result["preparation"] = *scene.preparation;
 }
 
 json lid_json(const Lid& lid) {
     if (const auto* plate = std::get_if<PrescribedPlate>(&lid)) return plate_json(*plate);
-    if (const auto* free_lid = std::get_if<FreeLid>(&lid)) {
-        return {{"mass", free_lid->mass},
-                {"height", free_lid->height},
-                {"velocity", free_lid->velocity}};
-    }
+    if (const auto* free_lid = std::get_if<FreeLid>(&lid)) return *free_lid;
     return nullptr;
 }
 

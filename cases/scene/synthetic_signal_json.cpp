@@ -23,7 +23,7 @@ nlohmann::json to_json(const SyntheticSignal& signal) {
     nlohmann::json result = parameters_json(signal);
     result["model"] = "synthetic-signal";
     result["name"] = signal.name;
-    result["sampling"] = to_json(signal.sampling);
+    result["sampling"] = signal.sampling;
     result["seed"] = signal.seed;
     return result;
 }

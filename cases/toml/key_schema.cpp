@@ -14,7 +14,9 @@ json schema_of(const Range& range) {
     if (std::isfinite(range.low)) {
         schema[range.low_open ? "exclusiveMinimum" : "minimum"] = range.low;
     }
-    if (std::isfinite(range.high)) schema["maximum"] = range.high;
+    if (std::isfinite(range.high)) {
+        schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
+    }
     return schema;
 }
 

@@ -30,6 +30,8 @@ class KeySchema {
     /// keys may be missing because other layers have them.
     [[nodiscard]] nlohmann::json complete(KeysOf keys) { return reference(keys, false); }
     [[nodiscard]] nlohmann::json layer(KeysOf keys) { return reference(keys, true); }
+    /// Of the value of one key.
+    [[nodiscard]] nlohmann::json key(const Key& key, bool in_layer);
 
     /// By name, as "$defs" of the document.
     [[nodiscard]] nlohmann::json& definitions() { return definitions_; }
@@ -39,7 +41,6 @@ class KeySchema {
     nlohmann::json reference(KeysOf keys, bool is_layer);
     nlohmann::json sweep_reference();
     nlohmann::json table(const TableKeys& keys, bool is_layer);
-    nlohmann::json key(const Key& key, bool in_layer);
     nlohmann::json form(const Rule& rule, bool in_layer);
     nlohmann::json swept(const TableKeys& keys, const std::string& path);
 

@@ -30,6 +30,11 @@ class KeyedTable {
     [[nodiscard]] bool boolean(std::string_view key) const;
     /// The index of the word.
     [[nodiscard]] std::size_t choice(std::string_view key) const;
+    /// Declared with all words of the enum.
+    template <HasWords E>
+    [[nodiscard]] E choice(std::string_view key) const {
+        return static_cast<E>(choice(key));
+    }
     /// The key of the group of `key` (OneOf) that is given. Throws CaseError if none or two are.
     [[nodiscard]] std::string exactly_one(std::string_view key) const;
 

@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -16,8 +15,6 @@
 
 namespace crossgrain::toml_input {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string shown(const toml::node& node) {
     if (node.is_table()) return "a table";
@@ -43,26 +40,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
-
-Range Range::any() {
-    return {-infinity, infinity, false, "a finite number"};
-}
-Range Range::positive() {
-    return {0, infinity, true, "a number > 0"};
-}
-Range Range::not_negative() {
-    return {0, infinity, false, "a number >= 0"};
-}
-Range Range::left_open(double low, double high) {
-    return {low, high, true, fmt::format("a number in ({:g}, {:g}]", low, high)};
-}
-Range Range::at_least(double low) {
-    return {low, infinity, false, fmt::format("a number >= {:g}", low)};
-}
-
-bool Range::holds(double value) const {
-    return std::isfinite(value) && (low_open ? value > low : value >= low) && value <= high;
-}
 
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
     std::optional<std::string> best;

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "cases/toml/text_rules.hpp"
+#include "native/base/enum_words.hpp"
 #include "native/base/errors.hpp"
+#include "native/base/range.hpp"
 
 #include <toml++/toml.h>
 
@@ -20,20 +22,7 @@
 
 namespace crossgrain::toml_input {
 
-/// Closed or open interval of valid numbers, with its text for error lines.
-struct Range {
-    double low;
-    double high;
-    bool low_open = false;
-    std::string text;  ///< e.g. "a number > 0"
-
-    static Range any();
-    static Range positive();
-    static Range not_negative();
-    static Range left_open(double low, double high);  ///< low < value <= high
-    static Range at_least(double low);
-    [[nodiscard]] bool holds(double value) const;
-};
+using crossgrain::Range;
 
 class TomlTable {
   public:
@@ -62,6 +51,10 @@ class TomlTable {
     /// One of `words`; returns its index.
     [[nodiscard]] std::size_t choice(std::string_view key,
                                      std::span<const std::string> words) const;
+    template <HasWords E>
+    [[nodiscard]] E choice(std::string_view key) const {
+        return static_cast<E>(choice(key, all_words<E>()));
+    }
     /// All layers' sub-tables of that key; an absent one reads as empty.
     [[nodiscard]] TomlTable table(std::string_view key) const;
     /// The tables of an array of tables, from the first layer that has it; empty if none has.

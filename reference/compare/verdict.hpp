@@ -1,6 +1,8 @@
 // The four kinds of check and what they may answer. Only `agree` is green.
 #pragma once
 
+#include "native/base/enum_words.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -8,12 +10,17 @@
 
 namespace crossgrain::compare {
 
+using crossgrain::to_string;
+
 enum class Kind {
     exact,     ///< against a closed form
     parity,    ///< the same scene in two codes, while chaos allows
     agree,     ///< equivalence of an observable between codes, by replicas or resampling
     published  ///< against a number or a trend in the literature
 };
+constexpr auto words(Kind /*of*/) {
+    return std::array{"exact", "parity", "agree", "published"};
+}
 
 enum class Outcome {
     agree,
@@ -24,6 +31,10 @@ enum class Outcome {
     run_failed,
     no_reference  ///< the reference is missing or empty
 };
+constexpr auto words(Outcome /*of*/) {
+    return std::array{"agree",         "disagree",   "undecided",   "not_expressible",
+                      "not_installed", "run_failed", "no_reference"};
+}
 
 /// What a measured value is held against.
 struct Against {
@@ -84,8 +95,6 @@ struct Verdict {
     std::string reason;  ///< one line: why not `agree`, or why a disagreement is expected
 };
 
-[[nodiscard]] std::string to_string(Kind kind);
-[[nodiscard]] std::string to_string(Outcome outcome);
 /// "lammps", "variant mixed", "its own rise", "analytic:restitution".
 [[nodiscard]] std::string to_string(const Against& against);
 /// "restitution (dt -> 0)", "lid-height.h", "flux (constant along width)".

@@ -24,7 +24,7 @@ json run_json(const store::RunRecord& run) {
             {"variant", run.variant},
             {"replica", run.replica},
             {"seed", run.seed},
-            {"status", store::to_string(run.status)},
+            {"status", store::document_word(run.status)},
             {"reason", run.reason},
             {"log_tail", run.log_tail},
             {"settings", json::parse(run.settings_json, nullptr, false)},

@@ -53,18 +53,6 @@ void warn(const scene::AnyScene& scene, const run::Settings& settings) {
         settings.monitor->remark("warning: " + line);
 }
 
-std::string name_of(catalog::Suite suite) {
-    switch (suite) {
-    case catalog::Suite::quick:
-        return "quick";
-    case catalog::Suite::full:
-        break;
-    case catalog::Suite::chart:
-        return "chart";
-    }
-    return "full";
-}
-
 bool has_suite(const std::string& directory, const std::string& name, const std::string& suite) {
     const auto whole = catalog::find_case(directory, name, catalog::Suite::full);
     return std::ranges::find(whole.suites, suite) != whole.suites.end();
@@ -118,7 +106,7 @@ store::Store open_store(const run::Settings& settings, store::Access access) {
 std::vector<std::shared_ptr<const catalog::Case>> selected_cases(const run::Settings& settings,
                                                                  const std::stop_token& stop) {
     const std::string directory = (share_directory() / "catalog").string();
-    const std::string suite = name_of(settings.suite);
+    const std::string suite = to_string(settings.suite);
     std::vector<std::shared_ptr<const catalog::Case>> cases;
     const auto chosen = adapters::select_codes(settings.codes);
     const auto names = settings.cases.empty() ? catalog::case_names(directory) : settings.cases;

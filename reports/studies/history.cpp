@@ -56,16 +56,4 @@ std::vector<HistorySeries> history_of(std::vector<store::HistoryPoint> points) {
     return result;
 }
 
-std::string to_string(Drift drift) {
-    switch (drift) {
-    case Drift::in_band:
-        return "in_band";
-    case Drift::left_band:
-        return "left_band";
-    case Drift::too_few:
-        return "too_few";
-    }
-    return {};
-}
-
 }  // namespace crossgrain::studies

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "adapters/run/store/store.hpp"
+#include "native/base/enum_words.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -17,6 +18,9 @@ enum class Drift {
     left_band,  ///< outside [lowest, highest] of the earlier values by more than its error allows
     too_few     ///< fewer than two earlier values
 };
+constexpr auto words(Drift /*of*/) {
+    return std::array{"in_band", "left_band", "too_few"};
+}
 
 struct HistorySeries {
     std::string case_name, variant, code, observable, unit, settings_json;
@@ -33,8 +37,6 @@ struct HistorySeries {
 /// grown over a run); for costs, which state no error, 30 % and at least 0.2 s (how far repeated
 /// runs on a shared machine scatter).
 [[nodiscard]] std::vector<HistorySeries> history_of(std::vector<store::HistoryPoint> points);
-
-[[nodiscard]] std::string to_string(Drift drift);
 
 /// {"series": [...]}, the answer of `crossgrain history`.
 [[nodiscard]] nlohmann::json history_document(const std::vector<HistorySeries>& history);

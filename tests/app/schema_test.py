@@ -39,6 +39,18 @@ wrong = {
     "an unknown model": (small, 'source = "test"', 'source = "test"\nmodel = "foam"'),
     "an unknown observable": (small, 'name = "momentum"', 'name = "momenta"'),
     "an unknown option": (small, 'name = "momentum"', 'name = "momentum"\nskip = 1.0'),
+    "an option of an observable out of range": (
+        small, 'name = "momentum"', 'name = "flow-depth"\nshare = 1.0'),
+    "several numbers for an option that is one": (
+        small, 'name = "momentum"', 'name = "flow-depth"\nshare = [0.1, 0.2]'),
+    "a text for an option that is a number": (
+        small, 'name = "momentum"', 'name = "flow-depth"\nskip = "long"'),
+    "a part of a whole number": (
+        small, 'name = "momentum"', 'name = "energy-balance"\nsamples_per_frame = 1.5'),
+    "a wrong word of an option": (
+        small, 'name = "momentum"',
+        'name = "displacement-spectrum"\nspacing = 3.0\ncrossing = "up"'),
+    "a missing option": (small, 'name = "momentum"', 'name = "displacement-spectrum"'),
     "an unknown code": (small, 'suites = ["quick"]', 'suites = ["quick"]\nreplicas = { foo = 2 }'),
     "an empty list": (small, "dt = 1e-3", "dt = []"),
     "a whole number that is none": (small, "count = 16", "count = 16.5"),
@@ -57,6 +69,9 @@ accepted = {
         small, "[scene.contact]", '[sweep]\nprecision = ["*"]\n[scene.contact]'),
     "a scene that its variants complete": (
         small, 'spins = "off"\n', '[[variant]]\nname = "v"\nscene.contact.spins = "off"\n'),
+    "options of an observable in their ranges": (
+        small, 'name = "momentum"',
+        'name = "displacement-spectrum"\nspacing = 3\ncrossing = "either"\nk_min = 2.0'),
     "one of several ways to say when": (
         small, "every_contact_times = 0.1", "first_and_last = true"),
 }

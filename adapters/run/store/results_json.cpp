@@ -6,6 +6,14 @@
 
 #include <stdexcept>
 
+namespace crossgrain::measure {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Series, name, columns, values, units)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Snapshot, time, x, y)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, name, label, detail)
+
+}  // namespace crossgrain::measure
+
 namespace crossgrain::store {
 
 using nlohmann::json;
@@ -21,26 +29,14 @@ json to_json(const measure::Results& results) {
                                 {"unit", m.unit},
                                 {"settings", m.settings}});
     }
-    json series = json::array();
-    for (const auto& s : results.series) {
-        series.push_back(
-            {{"name", s.name}, {"columns", s.columns}, {"values", s.values}, {"units", s.units}});
-    }
-    json snapshots = json::array();
-    for (const auto& s : results.snapshots) {
-        snapshots.push_back({{"time", s.time}, {"x", s.x}, {"y", s.y}});
-    }
     json pictures = json::array();
     for (const auto& picture : results.pictures)
         pictures.push_back(picture_to_json(picture));
-    json findings = json::array();
-    for (const auto& f : results.findings)
-        findings.push_back({{"name", f.name}, {"label", f.label}, {"detail", f.detail}});
     return {{"measurements", std::move(measurements)},
-            {"series", std::move(series)},
-            {"snapshots", std::move(snapshots)},
+            {"series", results.series},
+            {"snapshots", results.snapshots},
             {"pictures", std::move(pictures)},
-            {"findings", std::move(findings)}};
+            {"findings", results.findings}};
 }
 
 measure::Results results_from_json(const json& document) {
@@ -54,21 +50,11 @@ measure::Results results_from_json(const json& document) {
                                         .unit = m.at("unit"),
                                         .settings = m.at("settings")});
     }
-    for (const auto& s : document.at("series")) {
-        results.series.push_back({.name = s.at("name"),
-                                  .columns = s.at("columns"),
-                                  .values = s.at("values"),
-                                  .units = s.at("units")});
-    }
-    for (const auto& s : document.at("snapshots")) {
-        results.snapshots.push_back({.time = s.at("time"), .x = s.at("x"), .y = s.at("y")});
-    }
+    document.at("series").get_to(results.series);
+    document.at("snapshots").get_to(results.snapshots);
     for (const auto& picture : document.value("pictures", json::array()))
         results.pictures.push_back(picture_from_json(picture));
-    for (const auto& f : document.value("findings", json::array())) {
-        results.findings.push_back(
-            {.name = f.at("name"), .label = f.at("label"), .detail = f.at("detail")});
-    }
+    document.value("findings", json::array()).get_to(results.findings);
     return results;
 }
 

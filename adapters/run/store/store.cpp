@@ -63,15 +63,10 @@ std::uint64_t seed_of(const std::string& text) {
     return seed;
 }
 
-/// What a row holds; of the runs without a result only those that were started are stored.
-std::string text_of(RunStatus status) {
-    return status == RunStatus::timed_out ? "timed_out" : to_string(status);
-}
-
+/// Of the runs without a result only those that were started are stored.
 RunStatus status_of(const std::string& text) {
-    for (const auto status : {RunStatus::ok, RunStatus::run_failed, RunStatus::timed_out}) {
-        if (text == text_of(status)) return status;
-    }
+    const auto status = from_word<RunStatus>(text);
+    if (status && (*status == RunStatus::ok || has_failed(*status))) return *status;
     throw Damaged(fmt::format("its status is '{}'", printable(text)));
 }
 
@@ -128,25 +123,6 @@ HistoryPoint cost_of(HistoryPoint run, double cpu_s) {
 }
 
 }  // namespace
-
-std::string to_string(RunStatus status) {
-    switch (status) {
-    case RunStatus::planned:
-        return "planned";
-    case RunStatus::ok:
-        return "ok";
-    case RunStatus::run_failed:
-    case RunStatus::timed_out:
-        break;
-    case RunStatus::not_installed:
-        return "not_installed";
-    case RunStatus::not_expressible:
-        return "not_expressible";
-    case RunStatus::not_run:
-        return "not_run";
-    }
-    return "run_failed";
-}
 
 std::string utc_now() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -218,7 +194,7 @@ std::int64_t Store::add(const RunRecord& run) {
             db, "INSERT INTO run VALUES (NULL,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
         SQLite::bind(insert, run.key, run.case_name, run.variant,
                      static_cast<std::int64_t>(run.rung), run.code, run.version, run.program,
-                     run.digest, run.replica, std::to_string(run.seed), text_of(run.status),
+                     run.digest, run.replica, std::to_string(run.seed), to_string(run.status),
                      run.reason, run.log_tail, run.settings_json, run.cpu_s, run.wall_s, run.work,
                      run.work_unit, run.created);
         insert.exec();

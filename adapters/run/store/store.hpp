@@ -5,6 +5,7 @@
 
 #include "adapters/run/store/access.hpp"
 #include "cases/measure/results.hpp"
+#include "native/base/enum_words.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,14 +27,20 @@ enum class RunStatus {
     not_expressible,
     not_run
 };
+constexpr auto words(RunStatus /*of*/) {
+    return std::array{"planned",         "ok",     "run_failed", "timed_out", "not_installed",
+                      "not_expressible", "not_run"};
+}
 
 /// Whether it was started and has no result.
 [[nodiscard]] constexpr bool has_failed(RunStatus status) noexcept {
     return status == RunStatus::run_failed || status == RunStatus::timed_out;
 }
 
-/// As documents have it: "ok", "run_failed" (of both kinds), ...
-[[nodiscard]] std::string to_string(RunStatus status);
+/// As documents have it: one word for both kinds of failure.
+[[nodiscard]] inline std::string document_word(RunStatus status) {
+    return to_string(has_failed(status) ? RunStatus::run_failed : status);
+}
 
 /// A run as it is stored.
 struct RunRecord {

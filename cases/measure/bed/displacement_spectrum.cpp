@@ -21,8 +21,8 @@ void check(const DisplacementSpectrumOptions& options) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::invalid_argument(fmt::format("displacement spectrum: {}", what));
     };
-    require(std::isfinite(options.spacing) && options.spacing > 0, "spacing h0 must be > 0");
-    require(options.k_min >= 1 && options.k_max > options.k_min, "needs 1 <= k_min < k_max");
+    check_ranges(options);
+    require(options.k_max > options.k_min, "needs k_min < k_max");
     require(options.tail_min >= 1 && options.tail_max > options.tail_min,
             "needs 1 <= tail_min < tail_max");
     require(!options.groups.empty(), "needs at least one group of layers");

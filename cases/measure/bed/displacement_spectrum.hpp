@@ -26,7 +26,9 @@
 
 #include "cases/measure/bed/layer_spectrum.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +36,9 @@
 namespace crossgrain::measure {
 
 enum class Crossing { upward, downward, either };
+constexpr auto words(Crossing /*of*/) {
+    return std::array{"upward", "downward", "either"};
+}
 
 /// Layers first..last, averaged together.
 struct LayerGroup {
@@ -42,15 +47,25 @@ struct LayerGroup {
 };
 
 struct DisplacementSpectrumOptions {
-    double spacing = 0;  ///< h0 (l), > 0
+    double spacing = 0;
     Crossing crossing = Crossing::upward;
-    double skip = 0;  ///< crossings before this time (t) are not counted
-    int k_min = 1;    ///< fit window of the slope
+    double skip = 0;
+    int k_min = 1;
     int k_max = 16;
     int tail_min = 17;  ///< fit window of the tail's slope
     int tail_max = 32;
     std::vector<LayerGroup> groups = {{1, 5}, {6, 10}, {11, 15}, {16, 20}};
 };
+
+inline OptionKeys option_keys(DisplacementSpectrumOptions& o) {
+    const Range wave_number = Range::whole(1, 1'000'000);
+    return {
+        {"spacing", &o.spacing, Range::positive(), "h0 (l) of lid and bottom at t_n"},
+        {"skip", &o.skip, Range::not_negative(), "crossings before this time (t) are not counted"},
+        {"crossing", WordOption(o.crossing), {}, "in which direction h0 is crossed"},
+        {"k_min", &o.k_min, wave_number, "first K of the fit window of the slope"},
+        {"k_max", &o.k_max, wave_number, "last K of that window, > k_min"}};
+}
 
 /// Measurements: `slope_<first>_<last>` per group (1), settings k_min, k_max, vectors and, from six
 /// vectors on, stderr_blocks_of_two; `slope_<first>_<last>_K1_<k>`, the same over K = 1-k for k = 8
@@ -67,10 +82,11 @@ struct DisplacementSpectrumOptions {
 /// `displacement_vectors`. A group with a layer-
 /// averaged S of zero anywhere in a window (empty layers) gives no slope; a window beyond L/2 gives
 /// none either. Nothing for scenes without bottom, lid or period, or whose period is not a whole
-/// number of diameters. Throws std::invalid_argument unless spacing > 0,
-/// 1 <= k_min < k_max, 1 <= tail_min < tail_max, and every group has 1 <= first <= last.
+/// number of diameters. Throws std::invalid_argument for an option out of range, and
+/// unless k_min < k_max, 1 <= tail_min < tail_max, and every group has 1 <= first <= last.
 class DisplacementSpectrum final : public Estimator {
   public:
+    using Options = DisplacementSpectrumOptions;
     DisplacementSpectrum(const scene::Scene& scene, DisplacementSpectrumOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 namespace crossgrain::measure {
@@ -42,12 +41,11 @@ EnergyBalance::EnergyBalance(const scene::Scene& scene, EnergyBalanceOptions opt
       contacts_(scene.grains.diameter, scene.periodic_x, scene.periodic_y) {
     const double interval = scene.dt * static_cast<double>(scene.frame_every);
     const double frames_per_contact_time = scene::contact_time(scene) / interval;
+    const double least = options_.accurate_within ? 0 : options_.least_frames_per_contact_time;
     applicable_ = std::isfinite(frames_per_contact_time) &&
-                  frames_per_contact_time >= options_.least_frames_per_contact_time * (1 - 1e-9) &&
+                  frames_per_contact_time >= least * (1 - 1e-9) &&
                   scene.contact.spins == scene::Spins::off;
-    if (options_.samples_per_frame < 1) {
-        throw std::invalid_argument("energy balance: needs at least one sample per frame");
-    }
+    check_ranges(options_);
     samples_per_contact_time_ = frames_per_contact_time * options_.samples_per_frame;
 }
 

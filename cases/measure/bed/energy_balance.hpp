@@ -27,6 +27,7 @@
 
 #include "cases/measure/bed/contact_search.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <optional>
 #include <vector>
@@ -34,13 +35,21 @@
 namespace crossgrain::measure {
 
 struct EnergyBalanceOptions {
-    double skip = 0;  ///< time (t) left out of the averages at the start; the balance keeps it
-    int samples_per_frame = 1;                  ///< >= 1
-    double least_frames_per_contact_time = 10;  ///< below it nothing is measured
-    /// Largest |energy_residual| of a run that is called accurate, > 0; nothing is called so
-    /// without.
+    double skip = 0;
+    int samples_per_frame = 1;
+    /// Below it nothing is measured, unless `accurate_within` asks what happens at long steps too.
+    double least_frames_per_contact_time = 10;
     std::optional<double> accurate_within = {};
 };
+
+inline OptionKeys option_keys(EnergyBalanceOptions& o) {
+    return {{"skip", &o.skip, Range::not_negative(),
+             "time (t) left out of the averages at the start; the balance keeps it"},
+            {"samples_per_frame", &o.samples_per_frame, Range::whole(1, 1'000'000),
+             "of the powers, interpolated between frames"},
+            {"accurate_within", &o.accurate_within, Range::positive(),
+             "largest |energy_residual| of a run that is called accurate; left out: none is"}};
+}
 
 /// "ok" within the limit, "energy gain" beyond it below zero, else "inaccurate": energy is lost.
 [[nodiscard]] std::string energy_state(double residual, double accurate_within);
@@ -59,12 +68,13 @@ struct EnergyBalanceOptions {
 /// Series "energy": t, kinetic, gravity, elastic, input, dissipated (the last two cumulated), at
 /// most 2000 rows.
 ///
-/// Throws std::invalid_argument for less than one sample per frame. Nothing if the frame interval
+/// Throws std::invalid_argument for an option out of range. Nothing if the frame interval
 /// exceeds t_col/10, if the pair is overdamped (it has no t_col), if grains spin (the force is then
 /// not a function of the frame), or for fewer than three frames. The lid's kinetic and
 /// gravitational energy are in `kinetic` and `gravity`; frozen grains count as at rest.
 class EnergyBalance final : public Estimator {
   public:
+    using Options = EnergyBalanceOptions;
     explicit EnergyBalance(const scene::Scene& scene, EnergyBalanceOptions options = {});
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 namespace crossgrain::measure {
 namespace {
@@ -23,9 +22,7 @@ FlowDepth::FlowDepth(const scene::Scene& scene, FlowDepthOptions options)
       interval_(scene.dt * static_cast<double>(scene.frame_every)),
       search_(bond_length * scene.grains.diameter, scene.periodic_x, scene.periodic_y),
       next_(options.skip) {
-    if (!(options_.share > 0 && options_.share < 1)) {
-        throw std::invalid_argument("flow depth: share must be between 0 and 1");
-    }
+    check_ranges(options_);
     const auto& bottom = scene.plates.bottom;
     if (!bottom || bottom->amplitude == 0 || !scene.periodic_x) return;
     period_ = bottom->period;

@@ -11,6 +11,7 @@
 
 #include "cases/measure/bed/contact_search.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <optional>
 #include <vector>
@@ -18,9 +19,15 @@
 namespace crossgrain::measure {
 
 struct FlowDepthOptions {
-    double skip = 0;      ///< periods that begin before this time (t) do not count
-    double share = 0.01;  ///< of the bonds lost per period, in (0, 1)
+    double skip = 0;
+    double share = 0.01;
 };
+
+inline OptionKeys option_keys(FlowDepthOptions& o) {
+    return {{"skip", &o.skip, Range::not_negative(),
+             "periods that begin before this time (t) do not count"},
+            {"share", &o.share, Range::open(0, 1), "of the bonds lost per period"}};
+}
 
 /// Measurements: `flow_depth` (l), standard error by the jackknife over six batches of periods,
 /// systematic error half the spread between half and twice the share; `flowing_layers`, the same in
@@ -28,9 +35,10 @@ struct FlowDepthOptions {
 /// the number of periods. Series "flow-profile": layer (1 at the bottom), lost_bonds.
 ///
 /// Nothing with fewer than twelve periods, or for scenes without a moving bottom or a period along
-/// x. Throws std::invalid_argument unless 0 < share < 1.
+/// x. Throws std::invalid_argument for an option out of range.
 class FlowDepth final : public Estimator {
   public:
+    using Options = FlowDepthOptions;
     FlowDepth(const scene::Scene& scene, FlowDepthOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <optional>
 #include <vector>
@@ -9,8 +10,13 @@
 namespace crossgrain::measure {
 
 struct LidHeightOptions {
-    double skip = 0;  ///< time (t) left out of the mean at the start; the series keeps it
+    double skip = 0;
 };
+
+inline OptionKeys option_keys(LidHeightOptions& o) {
+    return {{"skip", &o.skip, Range::not_negative(),
+             "time (t) left out of the mean at the start; the series keeps it"}};
+}
 
 /// Series "lid-height": t, h and, if the scene has a bottom, bottom and spacing = h - bottom (the
 /// spacing Delta h of Taguchi, chao-dyn/9405003 (1994), Fig. 2). For a free lid as well as for a
@@ -19,6 +25,7 @@ struct LidHeightOptions {
 /// short to tell its error. Nothing without a lid.
 class LidHeight final : public Estimator {
   public:
+    using Options = LidHeightOptions;
     explicit LidHeight(const scene::Scene& scene, LidHeightOptions options = {});
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -22,11 +22,10 @@ void check(const VelocitySpectrumOptions& options) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::invalid_argument(fmt::format("velocity spectrum: {}", what));
     };
-    require(options.k_min >= 1 && options.k_max > options.k_min, "needs 1 <= k_min < k_max");
+    check_ranges(options);
+    require(options.k_max > options.k_min, "needs k_min < k_max");
     require(options.from.has_value() == options.to.has_value(), "a window needs 'from' and 'to'");
     require(!options.from || *options.from < *options.to, "the window must end after it begins");
-    for (const double phase : options.phases)
-        require(phase >= 0 && phase < 360, "phases are degrees from 0 to below 360");
 }
 
 }  // namespace

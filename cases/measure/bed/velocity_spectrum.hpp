@@ -19,6 +19,7 @@
 #include "cases/measure/bed/lattice_rows.hpp"
 #include "cases/measure/bed/layer_spectrum.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <optional>
 #include <string>
@@ -27,14 +28,28 @@
 namespace crossgrain::measure {
 
 struct VelocitySpectrumOptions {
-    double clock = 0;                 ///< what the paper's clock shows at the start (t)
-    std::vector<double> times = {};   ///< (t), by the paper's clock
-    std::vector<double> phases = {};  ///< 2 pi t/T of the drive, by that clock (degrees)
-    double skip = 0;                  ///< passages of a phase before this time do not count
-    std::optional<double> from, to;   ///< window (t), by that clock
-    int k_min = 1;                    ///< fit window of the slopes
+    double clock = 0;
+    std::vector<double> times = {};
+    std::vector<double> phases = {};
+    double skip = 0;
+    std::optional<double> from, to;
+    int k_min = 1;
     int k_max = 16;
 };
+
+inline OptionKeys option_keys(VelocitySpectrumOptions& o) {
+    const Range wave_number = Range::whole(1, 1'000'000);
+    return {{"clock", &o.clock, {}, "what the paper's clock shows at the start (t)"},
+            {"at", &o.times, {}, "times (t) by the paper's clock"},
+            {"phases", &o.phases, Range::right_open(0, 360),
+             "2 pi t/T of the drive by the paper's clock, in degrees"},
+            {"skip", &o.skip, Range::not_negative(),
+             "passages of a phase before this time (t) do not count"},
+            {"from", &o.from, {}, "start of the window (t) by the paper's clock, with 'to'"},
+            {"to", &o.to, {}, "end of the window (t), > from"},
+            {"k_min", &o.k_min, wave_number, "first K of the fit window of the slopes"},
+            {"k_max", &o.k_max, wave_number, "last K of that window, > k_min"}};
+}
 
 /// Labels: `t<time>`, `phase<degrees>`, `window`. Per label the measurements
 ///   velocity_slope_<label>          over k_min..k_max, settings k_min, k_max, t (mean time read)
@@ -48,10 +63,11 @@ struct VelocitySpectrumOptions {
 ///
 /// A time is read at the nearest frame, at most half an interval away; one outside of the run is
 /// not reported. Nothing for scenes that do not start from rows of a lattice. Throws
-/// std::invalid_argument unless 1 <= k_min < k_max, `from` < `to` are given both or neither, and
-/// phases are in [0, 360) degrees.
+/// std::invalid_argument for an option out of range, and unless k_min < k_max and `from` < `to` are
+/// given both or neither.
 class VelocitySpectrum final : public Estimator {
   public:
+    using Options = VelocitySpectrumOptions;
     VelocitySpectrum(const scene::Scene& scene, VelocitySpectrumOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -7,8 +7,8 @@
 namespace crossgrain::measure {
 
 Trajectory::Trajectory(const scene::Scene& scene, TrajectoryOptions options) {
-    for (const double time : options.times) {
-        const double steps = time / scene.dt;
+    for (const double count : options.at_contact_times) {
+        const double steps = count * scene::contact_time(scene) / scene.dt;
         const double nearest = std::round(steps);
         if (std::abs(steps - nearest) <= 1e-6) steps_.push_back(std::llround(nearest));
     }

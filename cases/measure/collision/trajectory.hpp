@@ -2,14 +2,20 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <vector>
 
 namespace crossgrain::measure {
 
 struct TrajectoryOptions {
-    std::vector<double> times;  ///< (t), in any order
+    std::vector<double> at_contact_times = {};
 };
+
+inline OptionKeys option_keys(TrajectoryOptions& o) {
+    return {{"at_contact_times", &o.at_contact_times, Range::not_negative(),
+             "times in contact times, in any order"}};
+}
 
 /// One Snapshot per wanted time that is the time of a frame, in the order of the frames. A time is
 /// matched to the step round(time/dt) if it is within 1e-6 dt of it (times are decimal numbers, a
@@ -17,6 +23,7 @@ struct TrajectoryOptions {
 /// nothing.
 class Trajectory final : public Estimator {
   public:
+    using Options = TrajectoryOptions;
     Trajectory(const scene::Scene& scene, TrajectoryOptions options);
     void add(const scene::Frame& frame) override;
     void finish(Results& results) override;

@@ -21,13 +21,10 @@ constexpr std::size_t parts_of_window = 10;
 
 DischargeRate::DischargeRate(const scene::Scene& scene, DischargeRateOptions options)
     : walls_(hopper_walls(scene)), options_(options) {
-    if (!(options.from >= 0 && options.to > options.from)) {
+    check_ranges(options);
+    if (options.to && !(*options.to > options.from)) {
         throw std::invalid_argument(
-            fmt::format("needs 0 <= from < to, not {} and {}", options.from, options.to));
-    }
-    if (!(options.down_to >= 0 && options.down_to < 1)) {
-        throw std::invalid_argument(
-            fmt::format("down_to must be in [0, 1), not {}", options.down_to));
+            fmt::format("needs from < to, not {} and {}", options.from, *options.to));
     }
     std::vector<double> heights;
     for (const std::size_t i : walls_.mobile) {
@@ -144,7 +141,7 @@ void DischargeRate::finish(Results& results) {
     constexpr std::size_t fewest_frames = 2 * parts_of_window;
     std::size_t first = times_.size(), last = 0;
     for (std::size_t i = 0; i < times_.size(); ++i) {
-        if (times_[i] < options_.from || times_[i] > options_.to) continue;
+        if (times_[i] < options_.from || times_[i] > options_.to.value_or(times_[i])) continue;
         if (discharged_[i] > (1 - options_.down_to) * total_) break;
         first = std::min(first, i);
         last = i;

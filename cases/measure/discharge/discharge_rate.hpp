@@ -9,17 +9,26 @@
 
 #include "cases/measure/discharge/discharge_geometry.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace crossgrain::measure {
 
 struct DischargeRateOptions {
-    double from = 8;  ///< the start of the flow before it is left out (t)
-    double to = std::numeric_limits<double>::infinity();  ///< (t)
-    double down_to = 0.3;  ///< the window ends when less than this share of the mass is left
+    double from = 8;
+    std::optional<double> to = {};
+    double down_to = 0.3;
 };
+
+inline OptionKeys option_keys(DischargeRateOptions& o) {
+    return {{"from", &o.from, Range::not_negative(),
+             "start of the window (t): the start of the flow before it is left out"},
+            {"to", &o.to, Range::positive(), "end of the window (t), > from; left out: of the run"},
+            {"down_to", &o.down_to, Range::right_open(0, 1),
+             "the window ends when less than this share of the mass is left"}};
+}
 
 /// Measurements over the window:
 /// - `flow_rate` (m/t), error from the scatter of ten equal stretches;
@@ -34,6 +43,7 @@ struct DischargeRateOptions {
 /// it.
 class DischargeRate final : public Estimator {
   public:
+    using Options = DischargeRateOptions;
     /// Throws std::invalid_argument for a scene that is no hopper or a window that is none.
     DischargeRate(const scene::Scene& scene, DischargeRateOptions options);
     void add(const scene::Frame& frame) override;

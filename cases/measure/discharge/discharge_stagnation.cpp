@@ -17,16 +17,9 @@ constexpr double wall_reach = 1.5, centre_reach = 2;  // diameters
 constexpr double fewest_grains = 16;
 
 void check(const DischargeStagnationOptions& o) {
-    if (!(o.from >= 0 && o.to > o.from)) {
-        throw std::invalid_argument(
-            fmt::format("needs 0 <= from < to, not {} and {}", o.from, o.to));
-    }
-    if (!(o.bin > 0)) {
-        throw std::invalid_argument(fmt::format("bin must be > 0 diameters, not {}", o.bin));
-    }
-    for (const double share : o.shares) {
-        if (share > 0 && share < 1) continue;
-        throw std::invalid_argument(fmt::format("shares must be in (0, 1), not {}", share));
+    check_ranges(o);
+    if (!(o.to > o.from)) {
+        throw std::invalid_argument(fmt::format("needs from < to, not {} and {}", o.from, o.to));
     }
 }
 

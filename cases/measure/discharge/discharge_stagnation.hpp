@@ -11,6 +11,7 @@
 
 #include "cases/measure/discharge/discharge_geometry.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <array>
 #include <optional>
@@ -19,10 +20,17 @@
 namespace crossgrain::measure {
 
 struct DischargeStagnationOptions {
-    double from = 4, to = 20;                      ///< time window (t)
-    double bin = 4;                                ///< of height, diameters, > 0
-    std::vector<double> shares = {0.1, 0.2, 0.3};  ///< eps, each in (0, 1)
+    double from = 4, to = 20;
+    double bin = 4;
+    std::vector<double> shares = {0.1, 0.2, 0.3};
 };
+
+inline OptionKeys option_keys(DischargeStagnationOptions& o) {
+    return {{"from", &o.from, Range::not_negative(), "start of the window (t)"},
+            {"to", &o.to, Range::positive(), "end of the window (t), > from"},
+            {"bin", &o.bin, Range::positive(), "of height, in diameters"},
+            {"shares", &o.shares, Range::open(0, 1), "eps of moving_fraction_<eps>"}};
+}
 
 /// Measurements `moving_fraction_<eps>` for every eps, interpolated between the middles of the
 /// bins, 1 if the velocity never falls below: mass flow. Error by the jackknife over four parts of
@@ -33,6 +41,7 @@ struct DischargeStagnationOptions {
 /// and on the centre line, or a centre line that moves upward.
 class DischargeStagnation final : public Estimator {
   public:
+    using Options = DischargeStagnationOptions;
     /// Throws std::invalid_argument for a scene that is no hopper, and unless
     /// 0 <= from < to, bin > 0 and shares are in (0, 1).
     DischargeStagnation(const scene::Scene& scene, DischargeStagnationOptions options);

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
@@ -25,12 +26,21 @@
 namespace crossgrain::measure {
 
 struct GasCorrelationOptions {
-    std::int64_t separation = 30;   ///< R, bins, >= 1
-    double v_min = 0.15;            ///< sites per step, > 0
-    double v_max = 0.6;             ///< > v_min
-    std::int64_t running_mean = 0;  ///< frames, 0 for none; else made odd
-    std::int64_t references = 500;  ///< reference frames at most, equally spaced, >= 1
+    std::int64_t separation = 30;
+    double v_min = 0.15;
+    double v_max = 0.6;
+    std::int64_t running_mean = 0;
+    std::int64_t references = 500;
 };
+
+inline OptionKeys option_keys(GasCorrelationOptions& o) {
+    return {
+        {"separation", &o.separation, Range::whole(1), "R in bins"},
+        {"v_min", &o.v_min, Range::positive(), "least speed of a wave, sites per step"},
+        {"v_max", &o.v_max, Range::positive(), "largest speed of a wave, > v_min"},
+        {"running_mean", &o.running_mean, Range::whole(0), "frames, made odd; 0: none"},
+        {"references", &o.references, Range::whole(1), "most reference frames, equally spaced"}};
+}
 
 /// Series "correlation": T and C, from T = 0 on. If a wave is found:
 /// `correlation_time` T_c (steps) and `correlation_velocity`, settings separation and sigmas;
@@ -38,6 +48,7 @@ struct GasCorrelationOptions {
 /// reference was followed to the largest T.
 class GasCorrelation final : public GasEstimator {
   public:
+    using Options = GasCorrelationOptions;
     /// Throws std::invalid_argument without the field `count`, with fewer than 16 replicas, a
     /// separation beyond the pipe, fewer than 8 frames between the T of v_max and of v_min, or a
     /// run that is too short.

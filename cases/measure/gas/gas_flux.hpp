@@ -11,6 +11,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/gas/gas_window.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
@@ -19,8 +20,13 @@
 namespace crossgrain::measure {
 
 struct GasFluxOptions {
-    double window = 0.5;  ///< half width of the regression, relative to the mean density, in (0, 1]
+    double window = 0.5;
 };
+
+inline OptionKeys option_keys(GasFluxOptions& o) {
+    return {{"window", &o.window, Range::left_open(0, 1),
+             "half width of the regression, relative to the mean density"}};
+}
 
 /// Series "flux": rho, J, err, share (of all bins), in classes of 1/40 particle per site; classes
 /// that only one replica visits are left out. Measurements, over replicas:
@@ -32,6 +38,7 @@ struct GasFluxOptions {
 ///   replicas have two densities in the window (an error over the replicas that have).
 class GasFlux final : public GasEstimator {
   public:
+    using Options = GasFluxOptions;
     /// Throws std::invalid_argument for a window out of range or without `count` and `momentum`.
     GasFlux(const scene::GasSampling& sampling, GasFluxOptions options);
     void add(const scene::GasFrame& frame) override;

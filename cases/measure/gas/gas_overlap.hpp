@@ -15,6 +15,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/gas/gas_shift.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/statistics/shift_line.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
@@ -25,14 +26,25 @@
 namespace crossgrain::measure {
 
 struct GasOverlapOptions {
-    double lag_min = 80;            ///< steps, > 0
-    double lag_max = 320;           ///< steps, > lag_min
-    double lag_step = 40;           ///< steps; all lags are rounded to whole frames
-    double smoothing = 20;          ///< sites, > 0
-    double v_min = 0.15;            ///< speeds of a wave, sites per step, >= 0
-    double v_max = 0.6;             ///< > v_min
-    std::int64_t references = 200;  ///< reference fields at most, equally spaced, >= 1
+    double lag_min = 80;
+    double lag_max = 320;
+    double lag_step = 40;
+    double smoothing = 20;
+    double v_min = 0.15;
+    double v_max = 0.6;
+    std::int64_t references = 200;
 };
+
+inline OptionKeys option_keys(GasOverlapOptions& o) {
+    return {
+        {"lag_min", &o.lag_min, Range::positive(), "shortest lag in steps, rounded to frames"},
+        {"lag_max", &o.lag_max, Range::positive(), "longest lag in steps, > lag_min"},
+        {"lag_step", &o.lag_step, Range::positive(), "between lags, in steps"},
+        {"smoothing", &o.smoothing, Range::positive(), "of the fields, in sites"},
+        {"v_min", &o.v_min, Range::not_negative(), "least speed of a wave, sites per step"},
+        {"v_max", &o.v_max, Range::positive(), "largest speed of a wave, > v_min"},
+        {"references", &o.references, Range::whole(1), "most reference fields, equally spaced"}};
+}
 
 /// Series "overlap": T, shift and err (sites; mean over the replicas with a wave, of all replicas
 /// if none has), height (overlap at its maximum over that of the reference with itself, all
@@ -45,6 +57,7 @@ struct GasOverlapOptions {
 /// Nothing if the run ended before the first reference was followed to the largest lag.
 class GasOverlap final : public GasEstimator {
   public:
+    using Options = GasOverlapOptions;
     /// Throws std::invalid_argument for an open pipe, without the field `count`, fewer than three
     /// lags, no range of speeds, a smoothing of half the pipe or more, or a run shorter than
     /// lag_max.

@@ -13,6 +13,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/gas/gas_shift.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
@@ -22,10 +23,15 @@
 namespace crossgrain::measure {
 
 struct GasProfileOptions {
-    std::int64_t fields = 2048;  ///< frames used, from the first on: a power of two, >= 2
-    std::int64_t groups = 16;    ///< of replicas, a power of two, >= 2; replicas beyond a power of
-                                 ///< two per group are left out
+    std::int64_t fields = 2048;
+    std::int64_t groups = 16;
 };
+
+inline OptionKeys option_keys(GasProfileOptions& o) {
+    return {{"fields", &o.fields, Range::whole(2), "frames used from the first on, a power of two"},
+            {"groups", &o.groups, Range::whole(2),
+             "of replicas, a power of two; replicas beyond a power of two per group are left out"}};
+}
 
 /// Series "profile" and the measurements of append_profile (wave_profile.hpp) over groups, in sites
 /// and particles per site, and the full width at half maximum: `profile_width` (sites) and
@@ -33,6 +39,7 @@ struct GasProfileOptions {
 /// Nothing if the run ended before the last field.
 class GasProfile final : public GasEstimator {
   public:
+    using Options = GasProfileOptions;
     /// Throws std::invalid_argument for an open pipe, without the field `count`, with fewer than
     /// eight bins, numbers that are no power of two, fewer frames than fields or fewer replicas
     /// than groups.

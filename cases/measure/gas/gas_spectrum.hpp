@@ -25,6 +25,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/gas/gas_segments.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/statistics/log_binned_slope.hpp"
 #include "cases/measure/statistics/pair_transform.hpp"
 #include "cases/measure/statistics/spectrum_peak.hpp"
@@ -37,16 +38,29 @@
 namespace crossgrain::measure {
 
 struct GasSpectrumOptions {
-    std::int64_t segments = 4;      ///< S >= 1
-    std::int64_t points = 16384;    ///< M >= 64, even
-    double f_min = 1e-3;            ///< fit window, cycles per record, 0 < 2 f_min < f_max
-    double f_max = 1e-2;            ///< <= 1/2
-    double v_min = 0.15;            ///< where a wave is looked for, sites per step
-    double v_max = 0.6;             ///< > v_min
-    std::int64_t running_mean = 0;  ///< records; subtracted over that many around each; 0: none
-    std::int64_t first_bin = 0;     ///< bins that are looked at, from the top
-    std::int64_t last_bin = -1;     ///< -1: the last of the pipe
+    std::int64_t segments = 4;
+    std::int64_t points = 16384;
+    double f_min = 1e-3;
+    double f_max = 1e-2;
+    double v_min = 0.15;
+    double v_max = 0.6;
+    std::int64_t running_mean = 0;
+    std::int64_t first_bin = 0;
+    std::int64_t last_bin = -1;
 };
+
+inline OptionKeys option_keys(GasSpectrumOptions& o) {
+    return {{"segments", &o.segments, Range::whole(1), "S"},
+            {"points", &o.points, Range::whole(64), "M of a segment, even"},
+            {"f_min", &o.f_min, Range::open(0, 0.25), "start of the fit window, cycles per record"},
+            {"f_max", &o.f_max, Range::left_open(0, 0.5), "end of that window, > 2 f_min"},
+            {"v_min", &o.v_min, Range::positive(), "least speed of a wave, sites per step"},
+            {"v_max", &o.v_max, Range::positive(), "largest speed of a wave, > v_min"},
+            {"running_mean", &o.running_mean, Range::whole(0),
+             "records around each whose mean is subtracted, < points; 0: none"},
+            {"first_bin", &o.first_bin, Range::whole(0), "of the bins looked at, from the top"},
+            {"last_bin", &o.last_bin, Range::whole(-1), "of those bins; -1: the last of the pipe"}};
+}
 
 /// Measurements:
 /// - `alpha`, settings f_min, f_max, segments, points;
@@ -58,6 +72,7 @@ struct GasSpectrumOptions {
 /// band of velocities is beyond the spectrum or at its very first frequencies.
 class GasSpectrum final : public GasEstimator {
   public:
+    using Options = GasSpectrumOptions;
     /// Throws std::invalid_argument unless segments >= 1, points >= 64 and even,
     /// 0 < 2 f_min < f_max <= 0.5, 0 < v_min < v_max, 0 <= running_mean < points and
     /// 0 <= first_bin <= last_bin < bins; without the field `count`, or

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <array>
@@ -29,9 +30,15 @@
 namespace crossgrain::measure {
 
 struct GasSteadyStateOptions {
-    double tolerance = 0.05;  ///< relative drift that still is steady, > 0
-    double sigmas = 4;        ///< > 0
+    double tolerance = 0.05;
+    double sigmas = 4;
 };
+
+inline OptionKeys option_keys(GasSteadyStateOptions& o) {
+    return {
+        {"tolerance", &o.tolerance, Range::positive(), "relative drift that still is steady"},
+        {"sigmas", &o.sigmas, Range::positive(), "standard errors beyond which a drift counts"}};
+}
 
 /// Finding "state"; measurements `drift_rests`, `drift_contrast`, `drift_variance`, in open pipes
 /// `drift_particles` (relative, only quantities that do not vanish), `absorbing_fraction` of the
@@ -39,6 +46,7 @@ struct GasSteadyStateOptions {
 /// nothing.
 class GasSteadyState final : public GasEstimator {
   public:
+    using Options = GasSteadyStateOptions;
     /// Throws std::invalid_argument without the field `count`, with fewer than 4 replicas, 16
     /// frames or 2 bins, and unless tolerance > 0 and sigmas > 0.
     GasSteadyState(const scene::GasSampling& sampling, GasSteadyStateOptions options);

@@ -5,6 +5,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/gas/gas_window.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <optional>
@@ -12,9 +13,13 @@
 namespace crossgrain::measure {
 
 struct GasTotalOptions {
-    /// Growth of N, relative to its first plateau, from which on a replica counts as clogged, > 0.
     double margin = 0.1;
 };
+
+inline OptionKeys option_keys(GasTotalOptions& o) {
+    return {{"margin", &o.margin, Range::positive(),
+             "growth of N over its first plateau from which on a replica is clogged"}};
+}
 
 /// The plateau is the mean of N over the steps 4 L to 6 L (particles fall at more than L/4 per L
 /// steps, so the pipe has filled by then; from the first frame on if that is later), the late value
@@ -28,6 +33,7 @@ struct GasTotalOptions {
 ///   (absent without the field `momentum`).
 class GasTotal final : public GasEstimator {
   public:
+    using Options = GasTotalOptions;
     /// Throws std::invalid_argument for a periodic pipe, a margin that is not positive, without the
     /// field `count`, or for a run that ends before 12 L (a plateau, and something after it).
     GasTotal(const scene::GasSampling& sampling, GasTotalOptions options);

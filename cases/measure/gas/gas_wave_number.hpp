@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/statistics/pair_transform.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
@@ -18,16 +19,24 @@
 namespace crossgrain::measure {
 
 struct GasWaveNumberOptions {
-    std::int64_t k_min = 1;      ///< >= 1
-    std::int64_t k_max = 0;      ///< > k_min, <= K/2; 0: K/4
-    std::int64_t fields = 1000;  ///< frames used at most, equally spaced, >= 1
+    std::int64_t k_min = 1;
+    std::int64_t k_max = 0;
+    std::int64_t fields = 1000;
 };
+
+inline OptionKeys option_keys(GasWaveNumberOptions& o) {
+    return {{"k_min", &o.k_min, Range::whole(1), "first k of the fit window"},
+            {"k_max", &o.k_max, Range::whole(0),
+             "last k, > k_min, at most half the bins; 0: a quarter"},
+            {"fields", &o.fields, Range::whole(1), "most frames used, equally spaced"}};
+}
 
 /// Measurements: `wave_number_exponent` (slope of log S, -alpha_k; 0 without structure), settings
 /// k_min, k_max; `wave_number`: k of the largest S, only if that is above 1.3 times the median of S
 /// by five standard errors. Series "wave-numbers": k, S, err. Nothing if the run ended early.
 class GasWaveNumber final : public GasEstimator {
   public:
+    using Options = GasWaveNumberOptions;
     /// Throws std::invalid_argument without the field `count`, with fewer than 3 replicas or 16
     /// bins, and unless 1 <= k_min < k_max <= bins/2 and fields >= 1.
     GasWaveNumber(const scene::GasSampling& sampling, GasWaveNumberOptions options);

@@ -63,9 +63,7 @@ bool has_ended(std::span<const double> flow) {
 HopperFlow::HopperFlow(const scene::HopperAutomaton& scene, HopperFlowOptions options)
     : scene_(scene), options_(options) {
     if (scene.angles.size() != 1) throw std::invalid_argument("the scene has more than one angle");
-    if (!(options.down_to > 0 && options.down_to < 1)) {
-        throw std::invalid_argument("'down_to' is not between 0 and 1");
-    }
+    check_ranges(options);
 }
 
 void HopperFlow::add(const scene::HopperFrame& frame) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 
 #include <span>
 #include <vector>
@@ -9,8 +10,13 @@
 namespace crossgrain::measure {
 
 struct HopperFlowOptions {
-    double down_to = 0.3;  ///< filling above which the flow should not depend on it, in (0, 1)
+    double down_to = 0.3;
 };
+
+inline OptionKeys option_keys(HopperFlowOptions& o) {
+    return {{"down_to", &o.down_to, Range::open(0, 1),
+             "filling above which the flow should not depend on it"}};
+}
 
 /// One angle; all from the last frame of each replica. Filling: grains left per site.
 /// Measurements (mean and standard error over the replicas):
@@ -25,7 +31,8 @@ struct HopperFlowOptions {
 /// iteration, mean rate, its standard error, mean filling (thinned to 1000 rows).
 class HopperFlow final : public HopperEstimator {
   public:
-    /// Throws std::invalid_argument for more than one angle or `down_to` outside (0, 1).
+    using Options = HopperFlowOptions;
+    /// Throws std::invalid_argument for more than one angle or an option out of range.
     explicit HopperFlow(const scene::HopperAutomaton& scene, HopperFlowOptions options = {});
     void add(const scene::HopperFrame& frame) override;
     void finish(Results& results) override;

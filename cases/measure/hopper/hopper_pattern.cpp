@@ -74,11 +74,11 @@ double mean_of(const std::vector<double>& values) {
 HopperPattern::HopperPattern(const scene::HopperAutomaton& scene, HopperPatternOptions options)
     : options_(options), scene_(scene) {
     if (scene.angles.size() != 1) throw std::invalid_argument("the scene has more than one angle");
-    if (!(options.half_width > 0 && options.from >= 0 && options.to > options.from &&
-          options.from < (scene.levels - 1) * level_spacing)) {
+    check_ranges(options);
+    if (!(options.to > options.from && options.from < (scene.levels - 1) * level_spacing)) {
         throw std::invalid_argument("the box is empty or above the hopper");
     }
-    if (options.lag < 1 || options.lag % scene.every != 0 || options.lag > scene.iterations) {
+    if (options.lag % scene.every != 0 || options.lag > scene.iterations) {
         throw std::invalid_argument(
             fmt::format("'lag' = {} is no multiple of the {} iterations between frames",
                         options.lag, scene.every));

@@ -4,6 +4,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/hopper/hopper_orientation_box.hpp"
+#include "cases/measure/options.hpp"
 
 #include <deque>
 #include <map>
@@ -13,11 +14,23 @@
 namespace crossgrain::measure {
 
 struct HopperPatternOptions {
-    double half_width = 25;      ///< the box: |x| <= half_width, from <= y <= to (spacings)
-    double from = 60, to = 220;  ///< 0 <= from < to
-    std::int64_t lag = 10;       ///< iterations between the two times of the velocity
-    std::int64_t window = 100;   ///< iterations before the end over which the velocity is averaged
+    double half_width = 25;
+    double from = 60, to = 220;
+    std::int64_t lag = 10;
+    std::int64_t window = 100;
 };
+
+inline OptionKeys option_keys(HopperPatternOptions& o) {
+    return {
+        {"half_width", &o.half_width, Range::positive(),
+         "of the box |x| <= half_width, in spacings"},
+        {"from", &o.from, Range::not_negative(), "lower end of the box, in spacings"},
+        {"to", &o.to, Range::positive(), "upper end of the box, > from"},
+        {"lag", &o.lag, Range::whole(1),
+         "iterations between the two times of the velocity, a multiple of those between frames"},
+        {"window", &o.window, Range::whole(0),
+         "iterations before the end over which the velocity is averaged"}};
+}
 
 /// One angle. Correlations are those of hopper_orientation_box.hpp, of the last frame of each
 /// replica. Measurements (mean and standard error over the replicas):
@@ -43,6 +56,7 @@ struct HopperPatternOptions {
 /// than along y; else "patches", as also when all boxes are uniform.
 class HopperPattern final : public HopperEstimator {
   public:
+    using Options = HopperPatternOptions;
     /// Throws std::invalid_argument for more than one angle, an empty box, or a lag that is no
     /// multiple of the frames' distance or longer than the run.
     explicit HopperPattern(const scene::HopperAutomaton& scene, HopperPatternOptions options = {});

@@ -116,13 +116,13 @@ HopperPicture::HopperPicture(const scene::HopperAutomaton& scene, HopperPictureO
             fmt::format("iteration {} is no frame: these come every {} up to {}", at, scene.every,
                         scene.iterations));
     }
-    if (options_.largest < 16) throw std::invalid_argument("pictures of fewer than 16 pixels");
+    check_ranges(options_);
 }
 
 void HopperPicture::add(const scene::HopperFrame& frame) {
     if (frame.angle_index != 0 || frame.replica != 0) return;
     if (std::ranges::find(options_.at, frame.iteration) == options_.at.end()) return;
-    Picture picture = draw(frame, options_.largest);
+    Picture picture = draw(frame, static_cast<std::size_t>(options_.largest));
     picture.name = fmt::format("orientation-{}", frame.iteration);
     picture.title = fmt::format(
         "Orientations after {} iterations, theta = {:.4g} degrees, C_D = {:g}, C_O = {:g}: blue "

@@ -4,6 +4,7 @@
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/hopper/hopper_stagnation_law.hpp"
+#include "cases/measure/options.hpp"
 
 #include <cstdint>
 #include <map>
@@ -14,13 +15,20 @@
 namespace crossgrain::measure {
 
 struct HopperStagnationOptions {
-    /// Iterations to measure at, each a frame of the scene; the first gives the measurements their
-    /// plain names, the others add "_at_<iteration>". Empty: the last.
     std::vector<std::int64_t> at = {};
-    /// Angle of the wall's profile (degrees): runs within half a degree of it count. Left out:
-    /// none.
     std::optional<double> profile_at = {};
 };
+
+inline OptionKeys option_keys(HopperStagnationOptions& o) {
+    return {{"at", &o.at, Range::whole(1),
+             "iterations, frames of the scene; the first gives the plain names, the others "
+             "..._at_<iteration>; left out: the last"},
+            {"profile_at",
+             &o.profile_at,
+             {},
+             "angle of the wall's profile (degrees); runs within half a degree count; left out: "
+             "none"}};
+}
 
 /// P = mean over both walls of (k + 1)/L, k the highest half-level whose outermost site was ever
 /// vacated; 1/P = b theta^a beyond a critical angle.
@@ -43,6 +51,7 @@ struct HopperStagnationOptions {
 /// "state" = "no meaning" beyond 120 degrees, where no moving_fraction is given.
 class HopperStagnation final : public HopperEstimator {
   public:
+    using Options = HopperStagnationOptions;
     /// Throws std::invalid_argument for an iteration that is no frame of the scene, or a profile of
     /// an angle that it does not have.
     explicit HopperStagnation(const scene::HopperAutomaton& scene,

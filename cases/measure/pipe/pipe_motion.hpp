@@ -14,6 +14,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 
 #include <vector>
@@ -22,9 +23,16 @@ namespace crossgrain::measure {
 
 struct PipeMotionOptions {
     PipeRecordOptions record;
-    double tolerance = 0.05;  ///< relative drift that still is steady, > 0
-    double sigmas = 4;        ///< > 0
+    double tolerance = 0.05;
+    double sigmas = 4;
 };
+
+inline OptionKeys option_keys(PipeMotionOptions& o) {
+    return joined(
+        option_keys(o.record),
+        {{"tolerance", &o.tolerance, Range::positive(), "relative drift that still is steady"},
+         {"sigmas", &o.sigmas, Range::positive(), "standard errors beyond which a drift counts"}});
+}
 
 /// Measurements, errors by blocking: `mean_speed` V (l/t), `flux` phi V (l/t), `area_fraction`
 /// phi (exact), `granular_temperature` (l^2/t^2), `mean_square_spin` <omega^2> (1/t^2, only of
@@ -34,6 +42,7 @@ struct PipeMotionOptions {
 /// A mean whose blocks still drift is not reported. Nothing with fewer than 128 frames.
 class PipeMotion final : public Estimator {
   public:
+    using Options = PipeMotionOptions;
     /// Throws std::invalid_argument for a scene that is no pipe, fewer than 16 bins, and unless
     /// tolerance > 0 and sigmas > 0.
     PipeMotion(const scene::Scene& scene, PipeMotionOptions options);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "cases/measure/gas/gas_shift.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 #include "cases/measure/statistics/shift_line.hpp"
 
@@ -20,11 +21,21 @@ namespace crossgrain::measure {
 
 /// All in diameters.
 struct PipeOverlapOptions {
-    double lag_min = 30;    ///< way fallen in the shortest interval, > 0
-    double lag_max = 90;    ///< in the longest; at most 0.4 L is used
-    double lag_step = 10;   ///< > 0
-    double smoothing = 20;  ///< of the fields: single grains in passing must not decide, > 0
+    double lag_min = 30;
+    double lag_max = 90;
+    double lag_step = 10;
+    double smoothing = 20;
 };
+
+inline OptionKeys option_keys(PipeOverlapOptions& o) {
+    return {{"lag_min", &o.lag_min, Range::positive(),
+             "way fallen in the shortest interval, in diameters"},
+            {"lag_max", &o.lag_max, Range::positive(),
+             "in the longest, > lag_min; at most 0.4 L is used"},
+            {"lag_step", &o.lag_step, Range::positive(), "between them, in diameters"},
+            {"smoothing", &o.smoothing, Range::positive(),
+             "of the fields, in diameters: single grains in passing must not decide"}};
+}
 
 class PipeOverlap {
   public:

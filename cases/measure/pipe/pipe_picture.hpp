@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 
 #include <cstdint>
@@ -11,13 +12,19 @@ namespace crossgrain::measure {
 
 struct PipePictureOptions {
     PipeRecordOptions record{.bin = 2};
-    std::int64_t rows = 500;  ///< at most so many instants, equally spaced, 2 to 2000
+    std::int64_t rows = 500;
 };
+
+inline OptionKeys option_keys(PipePictureOptions& o) {
+    return joined(option_keys(o.record), {{"rows", &o.rows, Range::whole(2, 2000),
+                                           "most instants shown, equally spaced"}});
+}
 
 /// Picture "space-time": one pixel per bin from left to right (along gravity) and one row per
 /// instant, time increasing upwards; white for the least and black for the greatest n_i.
 class PipePicture final : public Estimator {
   public:
+    using Options = PipePictureOptions;
     /// Throws std::invalid_argument for a scene that is no pipe or options out of range.
     PipePicture(const scene::Scene& scene, PipePictureOptions options);
     void add(const scene::Frame& frame) override { recorder_.add(frame); }

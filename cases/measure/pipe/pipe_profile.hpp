@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 
 #include <vector>
@@ -19,6 +20,10 @@ struct PipeProfileOptions {
     PipeRecordOptions record;
 };
 
+inline OptionKeys option_keys(PipeProfileOptions& o) {
+    return option_keys(o.record);
+}
+
 /// Measurements, n = 8: `profile_amplitude` (peak above the mean over the mean),
 /// `profile_null_amplitude` (of shuffled bins), `profile_excess` (their difference),
 /// `profile_asymmetry` (logarithm of the slope of the lower side, the front of what moves down,
@@ -27,6 +32,7 @@ struct PipeProfileOptions {
 /// density over its mean, err, null. Nothing with fewer than 128 frames.
 class PipeProfile final : public Estimator {
   public:
+    using Options = PipeProfileOptions;
     /// Throws std::invalid_argument for a scene that is no pipe, a bin that is not > 0, or fewer
     /// than 16 bins.
     PipeProfile(const scene::Scene& scene, PipeProfileOptions options)

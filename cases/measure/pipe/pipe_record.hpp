@@ -4,6 +4,7 @@
 // towards larger indices. 6 bytes per bin and frame; no positions are kept.
 #pragma once
 
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_section.hpp"
 #include "cases/measure/results.hpp"
 #include "cases/scene/frame.hpp"
@@ -16,9 +17,14 @@
 namespace crossgrain::measure {
 
 struct PipeRecordOptions {
-    double skip = 0;  ///< frames before this time (t) are left out
-    double bin = 5;   ///< b in diameters; rounded so that bins fill the pipe
+    double skip = 0;
+    double bin = 5;
 };
+
+inline OptionKeys option_keys(PipeRecordOptions& o) {
+    return {{"skip", &o.skip, Range::not_negative(), "frames before this time (t) are left out"},
+            {"bin", &o.bin, Range::positive(), "in diameters, rounded so that bins fill the pipe"}};
+}
 
 struct PipeRecord {
     double length = 0;    ///< L (l)

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
 #include "cases/measure/statistics/log_binned_slope.hpp"
 
@@ -22,10 +23,17 @@ namespace crossgrain::measure {
 
 struct PipeSpectrumOptions {
     PipeRecordOptions record;
-    std::int64_t segments = 4;  ///< >= 2
-    double low = 1.5;           ///< of f_w, > 0
-    double high = 0.35;         ///< of V/b, in (0, 0.5]
+    std::int64_t segments = 4;
+    double low = 1.5;
+    double high = 0.35;
 };
+
+inline OptionKeys option_keys(PipeSpectrumOptions& o) {
+    return joined(option_keys(o.record),
+                  {{"segments", &o.segments, Range::whole(2), "of the series"},
+                   {"low", &o.low, Range::positive(), "start of the fit window, of the wave's f_w"},
+                   {"high", &o.high, Range::left_open(0, 0.5), "end of that window, of V/b"}});
+}
 
 /// Measurement `alpha`: standard error by the jackknife over the segments, systematic error half
 /// the spread over the windows low..high, 1.5 low..high, low..high/2 and 1.5 low..high/2; settings
@@ -35,6 +43,7 @@ struct PipeSpectrumOptions {
 /// the frames are too far apart; nothing with fewer than 128 frames per segment.
 class PipeSpectrum final : public Estimator {
   public:
+    using Options = PipeSpectrumOptions;
     /// Throws std::invalid_argument for a scene that is no pipe, and unless segments >= 2, low > 0
     /// and 0 < high <= 0.5.
     PipeSpectrum(const scene::Scene& scene, PipeSpectrumOptions options);

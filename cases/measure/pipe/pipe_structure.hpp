@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_section.hpp"
 
 #include <cstdint>
@@ -17,10 +18,16 @@
 namespace crossgrain::measure {
 
 struct PipeStructureOptions {
-    double skip = 0;         ///< frames before this time (t) are left out
-    std::int64_t k_min = 1;  ///< >= 1
-    std::int64_t k_max = 7;  ///< > k_min, at most 64
+    double skip = 0;
+    std::int64_t k_min = 1;
+    std::int64_t k_max = 7;
 };
+
+inline OptionKeys option_keys(PipeStructureOptions& o) {
+    return {{"skip", &o.skip, Range::not_negative(), "frames before this time (t) are left out"},
+            {"k_min", &o.k_min, Range::whole(1, 64), "first k of the fit window"},
+            {"k_max", &o.k_max, Range::whole(1, 64), "last k of that window, > k_min"}};
+}
 
 /// Measurements: `wave_number_exponent` (0 without structure, negative for waves), settings k_min
 /// and k_max; `structure_factor` S(k_min), error by blocking; `wave_number`, the k of the largest
@@ -28,6 +35,7 @@ struct PipeStructureOptions {
 /// 128 frames.
 class PipeStructure final : public Estimator {
   public:
+    using Options = PipeStructureOptions;
     /// Throws std::invalid_argument for a scene that is no pipe, and unless
     /// 1 <= k_min < k_max <= 64.
     PipeStructure(const scene::Scene& scene, PipeStructureOptions options);

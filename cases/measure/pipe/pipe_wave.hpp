@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
+#include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_modes.hpp"
 #include "cases/measure/pipe/pipe_overlap.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
@@ -18,8 +19,14 @@ namespace crossgrain::measure {
 struct PipeWaveOptions {
     PipeRecordOptions record;
     PipeOverlapOptions overlap;
-    double wavelength_min = 70;  ///< of the regression, diameters, > 0 and at most L
+    double wavelength_min = 70;
 };
+
+inline OptionKeys option_keys(PipeWaveOptions& o) {
+    return joined(joined(option_keys(o.record), option_keys(o.overlap)),
+                  {{"wavelength_min", &o.wavelength_min, Range::positive(),
+                    "of the regression, in diameters, at least four bins and at most L"}});
+}
 
 /// Measurements, velocities downward in l/t, errors by the jackknife over eight parts of the run:
 /// - `overlap_wave_fraction`: share of the parts whose own shifts lie on a line;
@@ -36,6 +43,7 @@ struct PipeWaveOptions {
 /// Nothing with fewer than 128 frames.
 class PipeWave final : public Estimator {
   public:
+    using Options = PipeWaveOptions;
     /// Throws std::invalid_argument for a scene that is no pipe, and unless wavelength_min is from
     /// four bins to the length of the pipe; for what PipeOverlap::of refuses.
     PipeWave(const scene::Scene& scene, PipeWaveOptions options);

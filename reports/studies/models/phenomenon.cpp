@@ -14,8 +14,6 @@ namespace {
 using toml_input::Range;
 using toml_input::TomlTable;
 
-const std::array<std::string, 3> judges{"same", "sign", "word"};
-
 TableColumn read_column(const TomlTable& t) {
     TableColumn column{.name = t.name("name"), .title = t.text("title")};
     column.group = t.optional_text("group").value_or("");
@@ -69,7 +67,7 @@ std::map<std::string, CellSource> read_cells(const TomlTable& t,
 TableRow read_row(const TomlTable& t, const std::vector<TableColumn>& columns,
                   const std::string& reference) {
     TableRow row{.quantity = t.text("quantity"), .reason = t.text("reason")};
-    if (t.has("judge")) row.judge = static_cast<RowJudge>(t.choice("judge", judges));
+    if (t.has("judge")) row.judge = t.choice<RowJudge>("judge");
     if (row.judge == RowJudge::same) row.margin = t.number("margin", Range::positive());
     if (t.has("relative")) row.relative = t.boolean("relative");
     row.against = t.optional_text("against").value_or(reference);

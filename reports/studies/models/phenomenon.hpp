@@ -2,6 +2,8 @@
 // between them, columns are models, codes and the literature (cases/catalog/phenomena/*.toml).
 #pragma once
 
+#include "native/base/enum_words.hpp"
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -16,6 +18,9 @@ enum class RowJudge {
     sign,  ///< both significantly on the same side of zero
     word   ///< the same label of a finding
 };
+constexpr auto words(RowJudge /*of*/) {
+    return std::array{"same", "sign", "word"};
+}
 
 /// One model, code or source.
 struct TableColumn {

@@ -15,7 +15,7 @@ namespace {
 /// The state a run was found in, or why there is none.
 StabilityPoint point_of(const catalog::Variant& variant, const store::RunRecord& run) {
     StabilityPoint point{
-        .code = run.code, .state = store::to_string(run.status), .detail = run.reason};
+        .code = run.code, .state = store::document_word(run.status), .detail = run.reason};
     // A trajectory that left all bounds is what a map looks for.
     if (run.status == store::RunStatus::run_failed) point.state = "blow-up";
     if (run.status == store::RunStatus::timed_out) point.state = "not finished";

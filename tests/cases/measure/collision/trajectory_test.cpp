@@ -13,7 +13,9 @@ namespace {
 measure::Results run(double dt, std::int64_t frame_every, std::vector<double> times) {
     auto scene = plain_scene(2);
     scene.dt = dt;
-    measure::Trajectory estimator(scene, {.times = std::move(times)});
+    for (double& time : times)
+        time /= scene::contact_time(scene);
+    measure::Trajectory estimator(scene, {.at_contact_times = std::move(times)});
     for (std::int64_t step = 0; step <= 10 * frame_every; step += frame_every) {
         SyntheticFrame frame{.step = step, .time = static_cast<double>(step) * dt};
         const auto s = static_cast<double>(step);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint8_t outside = 4, surface = 5;
 
 /// Orientation 1 on the left, 3 on the right, 2 in the middle column; emptied above level 80.
-measure::Results run(std::size_t largest, std::vector<std::int64_t> at) {
+measure::Results run(std::int64_t largest, std::vector<std::int64_t> at) {
     const auto scene = hopper_scene(20, 100, 36.87, 2, 10, 5);
     measure::HopperPicture estimator(scene, {.at = std::move(at), .largest = largest});
     for (int r = 0; r < 2; ++r) {
