@@ -48,9 +48,11 @@ compare::Against against_of(const catalog::Check& check) {
     using Kind = compare::Against::Kind;
     if (!check.between.empty()) return {Kind::variant, check.between[1]};
     if (!check.with.empty()) return {Kind::own_observable, check.with};
-    if (check.kind == catalog::CheckKind::exact) return {Kind::closed_form, check.against};
+    if (check.kind == catalog::CheckKind::exact)
+        return {Kind::closed_form, to_string(check.against)};
     if (check.kind != catalog::CheckKind::published) return {Kind::code, ""};
-    return {catalog::is_trend(check.aspect) ? Kind::trend : Kind::published, check.against};
+    return {catalog::is_trend(check.aspect) ? Kind::trend : Kind::published,
+            to_string(check.against)};
 }
 
 std::string rule_variant_of(const catalog::Variant& variant) {

@@ -99,8 +99,6 @@ measured(const CaseRuns& runs, const Evaluation& evaluation, const std::string& 
 [[nodiscard]] compare::Verdict blank_verdict(const catalog::Case& the_case,
                                              const catalog::Check& check, const std::string& code,
                                              std::size_t variant);
-/// What a check against the literature names, without "published:".
-[[nodiscard]] std::string published_id(const catalog::Check& check);
 /// Equivalence of two numbers within the verdict's limit: difference, uncertainty, p-values, and
 /// set_outcome(). `replicas`: the fewer of both.
 void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,

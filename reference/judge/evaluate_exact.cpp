@@ -48,11 +48,11 @@ Deviations deviations(const CaseRuns& runs, const catalog::Check& check, const s
                     .reason = fmt::format("'{}' was not measured", check.observable)};
         }
         const auto scene = the_case.scene(variant, rung, 1);
-        const auto exact = oracles::exact_value(check.against, scene);
+        const auto exact = oracles::exact_value(to_string(check.against), scene);
         if (!exact) {
             return {.rungs = {},
                     .problem = Outcome::no_reference,
-                    .reason = fmt::format("no '{}' for this scene", check.against)};
+                    .reason = fmt::format("no '{}' for this scene", to_string(check.against))};
         }
         result.rungs.push_back(
             {scene::time_step_of(scene), combined->measurement.value - *exact, *combined});

@@ -26,14 +26,9 @@ void judge(const CaseRuns& runs, const Evaluation& evaluation, const catalog::Ch
 
 }  // namespace
 
-std::string published_id(const catalog::Check& check) {
-    constexpr std::string_view prefix = "published:";
-    return check.against.starts_with(prefix) ? check.against.substr(prefix.size()) : check.against;
-}
-
 void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
                         const published::PublishedValues& literature, Evaluation& evaluation) {
-    const std::string id = published_id(check);
+    const std::string& id = check.against.name;
     auto reference = literature.find(id);
     if (reference && !reference->trend.empty()) reference.reset();  // has no number to compare with
     for (const std::size_t variant : variants_of(runs.the_case(), check)) {

@@ -94,14 +94,14 @@ void judge(const CaseRuns& runs, const catalog::Check& check, const Group& group
 
 void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
                     const published::PublishedValues& literature, Evaluation& evaluation) {
-    const auto reference = literature.find(published_id(check));
+    const auto reference = literature.find(check.against.name);
     for (const Group& group : groups_of(runs.the_case(), check)) {
         for (const auto& code : codes_of(runs, check)) {
             auto verdict = blank_verdict(runs.the_case(), check, code, group.variants.front());
             verdict.variant = group.name;
             if (!reference || reference->trend != word_of(check.aspect)) {
                 set_outcome(runs, check, group.variants.front(), "", Outcome::no_reference,
-                            fmt::format("no published trend '{}' that is {}", published_id(check),
+                            fmt::format("no published trend '{}' that is {}", check.against.name,
                                         word_of(check.aspect)),
                             verdict);
             } else {
