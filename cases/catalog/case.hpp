@@ -1,6 +1,7 @@
 // A case: a scene in one or several variants, what is looked at, and what it is checked against.
 #pragma once
 
+#include "cases/catalog/reference.hpp"
 #include "cases/scene/any_scene.hpp"
 #include "native/base/enum_words.hpp"
 
@@ -63,7 +64,7 @@ struct Check {
     CheckKind kind = CheckKind::exact;
     std::string observable;  ///< measurement, series or "trajectory"
     Aspect aspect = Aspect::value;
-    std::string against;                ///< "analytic:..." or "published:..."
+    Reference against;                  ///< of `exact` a closed form, of `published` a value
     double order = 0;                   ///< theoretical order of convergence, Aspect::order
     std::string along;                  ///< key of the sweep a trend is judged over
     std::vector<std::string> variants;  ///< names or globs ("P/*"); empty: all
@@ -86,8 +87,7 @@ struct Check {
 /// What the error of a charted observable is measured from.
 struct ChartedError {
     std::string observable;
-    std::string
-        against;         ///< "analytic:..." or "converged:<variant>", in the first code that has it
+    Reference against;   ///< a closed form or a converged variant
     double margin = 0;   ///< beyond it a result is inaccurate, > 0
     std::string reason;  ///< why this margin
     int line = 0;

@@ -64,15 +64,11 @@ std::vector<ChartedError> read_charted(const KeyedTable& t) {
     std::vector<ChartedError> charted;
     for (const KeyedTable& entry : t.tables("error")) {
         charted.push_back({.observable = entry.text("observable"),
-                           .against = entry.text("against"),
+                           .against = read_reference(
+                               entry, {Reference::Kind::closed_form, Reference::Kind::converged}),
                            .margin = entry.number("margin"),
                            .reason = entry.text("reason"),
                            .line = entry.line()});
-        const std::string& against = charted.back().against;
-        if (!against.starts_with("analytic:") && !against.starts_with("converged:")) {
-            throw entry.error("against", "names no reference", fmt::format("\"{}\"", against),
-                              "\"analytic:...\" or \"converged:<variant>\"");
-        }
         entry.reject_unknown_keys();
     }
     return charted;

@@ -83,8 +83,10 @@ Check read_check(const KeyedTable& t) {
     check.kind = t.choice<CheckKind>("kind");
     check.observable = t.text("observable");
     if (t.has("aspect")) check.aspect = t.choice<Aspect>("aspect");
-    if (check.kind == CheckKind::exact || check.kind == CheckKind::published) {
-        check.against = t.text("against");
+    if (check.kind == CheckKind::exact) {
+        check.against = read_reference(t, {Reference::Kind::closed_form});
+    } else if (check.kind == CheckKind::published) {
+        check.against = read_reference(t, {Reference::Kind::published});
     }
     if (is_trend(check.aspect)) {
         if (check.kind != CheckKind::published) {

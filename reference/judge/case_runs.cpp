@@ -46,7 +46,8 @@ std::optional<Absence> CaseRuns::absence(const std::string& code, std::size_t va
         const bool pending = record.status == store::RunStatus::not_run ||
                              record.status == store::RunStatus::planned;
         return Absence{.outcome = outcome_of(record.status),
-                       .reason = pending ? "no run in the store" : record.reason};
+                       .reason = pending ? "no run in the store" : record.reason,
+                       .code = {}};
     }
     return std::nullopt;
 }

@@ -16,6 +16,7 @@ namespace crossgrain::judge {
 struct Absence {
     compare::Outcome outcome = compare::Outcome::run_failed;
     std::string reason;
+    std::string code;  ///< of a pair, which has none; else empty
 };
 
 class CaseRuns {

@@ -65,14 +65,6 @@ struct Evaluation {
 /// at which they are taken.
 void evaluate_fits(const CaseRuns& runs, Evaluation& evaluation);
 
-// The parts, one per kind of check. Each appends to the evaluation.
-void evaluate_exact(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
-void evaluate_parity(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
-void evaluate_agree(const CaseRuns& runs, const catalog::Check& check, Evaluation& evaluation);
-void evaluate_published(const CaseRuns& runs, const catalog::Check& check,
-                        const published::PublishedValues& literature, Evaluation& evaluation);
-void evaluate_trend(const CaseRuns& runs, const catalog::Check& check,
-                    const published::PublishedValues& literature, Evaluation& evaluation);
 /// Whether a parity check of the case looks at trajectories or at a window of a series.
 [[nodiscard]] bool can_be_certified(const catalog::Case& the_case);
 /// To be called after the parity checks.
@@ -85,33 +77,7 @@ measured(const CaseRuns& runs, const Evaluation& evaluation, const std::string& 
          std::size_t variant, const std::string& observable);
 /// Whether the case fits the observable over its variants, so that it belongs to none of them.
 [[nodiscard]] bool is_fitted(const catalog::Case& the_case, const std::string& observable);
-/// Why a code has no result to be judged. A fit leaves out the variants that were not run or cannot
-/// be expressed, but not one whose run failed.
-[[nodiscard]] std::optional<Absence> absence(const CaseRuns& runs, const catalog::Check& check,
-                                             const std::string& code, std::size_t variant);
-
-/// Variants a check applies to; the first one for what is fitted over all of them.
-[[nodiscard]] std::vector<std::size_t> variants_of(const catalog::Case& the_case,
-                                                   const catalog::Check& check);
-/// Codes of the runs a check applies to, in their order.
-[[nodiscard]] std::vector<std::string> codes_of(const CaseRuns& runs, const catalog::Check& check);
-/// A verdict with all that the check itself says; its outcome is still open.
-[[nodiscard]] compare::Verdict blank_verdict(const catalog::Case& the_case,
-                                             const catalog::Check& check, const std::string& code,
-                                             std::size_t variant);
-/// What a check against the literature names, without "published:".
-[[nodiscard]] std::string published_id(const catalog::Check& check);
-/// Equivalence of two numbers within the verdict's limit: difference, uncertainty, p-values, and
-/// set_outcome(). `replicas`: the fewer of both.
-void judge_difference(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-                      const std::string& other, const compare::EquivalenceQuestion& question,
-                      std::size_t replicas, compare::Verdict& verdict);
 /// A measurement as an operand of a comparison.
 [[nodiscard]] compare::Operand operand_of(const compare::Combined& combined);
-/// Sets the outcome, its reason, and whether the catalogue expects it. `other` is the second code
-/// of a pair, or empty.
-void set_outcome(const CaseRuns& runs, const catalog::Check& check, std::size_t variant,
-                 const std::string& other, compare::Outcome outcome, const std::string& reason,
-                 compare::Verdict& verdict);
 
 }  // namespace crossgrain::judge

@@ -19,23 +19,21 @@ using compare::Combined;
 
 struct Reference {
     double value = 0, standard_error = 0;
-    std::string code;  ///< whose result it is; empty for a closed form
+    std::string code;         ///< whose result it is; empty for a closed form
+    std::size_t variant = 0;  ///< in which that code has it
 };
-
-constexpr std::string_view converged = "converged:";
 
 /// The result of the first code that has the variant.
 std::optional<Reference> converged_reference(const judge::CaseRuns& runs,
                                              const ChartedError& charted) {
-    const std::string wanted = charted.against.substr(converged.size());
     const auto& variants = runs.the_case().variants;
     for (const auto& code : runs.codes()) {
         for (std::size_t v = 0; v < variants.size(); ++v) {
-            if (variants[v].name != wanted || runs.absence(code, v)) continue;
+            if (variants[v].name != charted.against.name || runs.absence(code, v)) continue;
             const auto best = runs.combined(code, v, 0, charted.observable);
             if (!best) continue;
             const auto& m = best->measurement;
-            return Reference{m.value, m.standard_error, code};
+            return Reference{m.value, m.standard_error, code, v};
         }
     }
     return std::nullopt;
@@ -43,10 +41,13 @@ std::optional<Reference> converged_reference(const judge::CaseRuns& runs,
 
 std::optional<Reference> reference_of(const judge::CaseRuns& runs, const ChartedError& charted,
                                       std::size_t variant) {
-    if (charted.against.starts_with(converged)) return converged_reference(runs, charted);
-    const auto exact = oracles::exact_value(charted.against, runs.the_case().scene(variant, 0, 1));
+    if (charted.against.kind == catalog::Reference::Kind::converged) {
+        return converged_reference(runs, charted);
+    }
+    const auto exact =
+        oracles::exact_value(to_string(charted.against), runs.the_case().scene(variant, 0, 1));
     if (!exact) return std::nullopt;
-    return Reference{.value = *exact, .standard_error = 0, .code = {}};
+    return Reference{.value = *exact, .standard_error = 0, .code = {}, .variant = {}};
 }
 
 /// Least cost of a run in the variant.
@@ -132,13 +133,13 @@ class ChartMaker {
   private:
     ChartedObservable observable(const ChartedError& charted) {
         ChartedObservable result{.observable = charted.observable,
-                                 .against = charted.against,
+                                 .against = to_string(charted.against),
                                  .reason = charted.reason,
                                  .margin = charted.margin};
         for (std::size_t v = 0; v < item_.the_case->variants.size(); ++v) {
             const auto reference = reference_of(item_.runs, charted, v);
             if (!reference) {
-                result.problem = fmt::format("'{}' has no value here", charted.against);
+                result.problem = fmt::format("'{}' has no value here", result.against);
                 continue;
             }
             result.reference = reference->value;
@@ -156,7 +157,7 @@ class ChartMaker {
         if (item_.runs.absence(code, v)) return;
         const auto& name = item_.the_case->variants[v].name;
         // Its distance from itself says nothing.
-        if (code == reference.code && result.against == std::string(converged) + name) return;
+        if (code == reference.code && v == reference.variant) return;
         const auto found = item_.runs.combined(code, v, 0, result.observable);
         if (!found) {
             chart_.failures.push_back({code, name, "not_measured",

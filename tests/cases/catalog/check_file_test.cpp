@@ -9,6 +9,7 @@ using namespace crossgrain;
 using catalog::Aspect;
 using catalog::Check;
 using catalog::CheckKind;
+using catalog::Reference;
 using tests::case_text;
 using tests::load;
 using tests::refusal_of;
@@ -35,7 +36,7 @@ BOOST_AUTO_TEST_CASE(a_check_arrives_as_it_is_written) {
     BOOST_TEST((plain.kind == CheckKind::exact));
     BOOST_TEST(plain.observable == "momentum_drift_x");
     BOOST_TEST((plain.aspect == Aspect::value));
-    BOOST_TEST(plain.against == "analytic:zero");
+    BOOST_TEST((plain.against == Reference{Reference::Kind::closed_form, "zero"}));
     BOOST_TEST(plain.limit == 1e-11);
     BOOST_TEST(plain.reason == "round-off");
     BOOST_TEST(plain.variants.empty());
@@ -55,8 +56,9 @@ BOOST_AUTO_TEST_CASE(every_kind_is_read_and_only_those_with_a_reference_need_one
     const auto without = replaced(case_text, "against = \"analytic:zero\"\n", "");
     BOOST_TEST((load(replaced(without, "exact", "parity")).checks[0].kind == CheckKind::parity));
     BOOST_TEST((load(replaced(without, "exact", "agree")).checks[0].kind == CheckKind::agree));
-    BOOST_TEST(
-        (load(replaced(case_text, "exact", "published")).checks[0].kind == CheckKind::published));
+    const auto published =
+        replaced(replaced(case_text, "exact", "published"), "analytic:zero", "published:x/y");
+    BOOST_TEST((load(published).checks[0].kind == CheckKind::published));
     for (const std::string kind : {"exact", "published"}) {
         const auto e = refusal_of(replaced(without, "exact", kind));
         BOOST_TEST(e.key == "check.against");
@@ -64,6 +66,25 @@ BOOST_AUTO_TEST_CASE(every_kind_is_read_and_only_those_with_a_reference_need_one
     }
     // And a pair of codes is not held against a number.
     BOOST_TEST(refusal_of(replaced(case_text, "exact", "agree")).key == "check.against");
+}
+
+BOOST_AUTO_TEST_CASE(a_reference_says_of_which_kind_it_is) {
+    const auto published = replaced(case_text, "exact", "published");
+    const auto against = load(replaced(published, "analytic:zero", "published:gremaud/exponent"))
+                             .checks.at(0)
+                             .against;
+    BOOST_TEST((against == Reference{Reference::Kind::published, "gremaud/exponent"}));
+    BOOST_TEST(to_string(against) == "published:gremaud/exponent");
+    BOOST_TEST(to_string(Reference{}) == "");
+    for (const std::string wrong : {"zero", "published:x/y", "converged:full", "analytic:"}) {
+        const auto e = refusal_of(replaced(case_text, "analytic:zero", wrong));
+        BOOST_TEST(e.key == "check.against");
+        BOOST_TEST(e.problem == "names no reference");
+        BOOST_TEST(e.expected == "\"analytic:...\"");
+        BOOST_TEST(e.line == first_line + 2);
+    }
+    // An exact answer is not looked up in the literature, nor a published one computed.
+    BOOST_TEST(refusal_of(published).expected == "\"published:<file>/<name>\"");
 }
 
 BOOST_AUTO_TEST_CASE(a_limit_needs_its_reason) {

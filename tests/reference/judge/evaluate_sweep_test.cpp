@@ -15,6 +15,7 @@ using namespace crossgrain;
 using catalog::Aspect;
 using catalog::Check;
 using catalog::CheckKind;
+using catalog::Reference;
 using compare::Outcome;
 using judge::CaseRuns;
 using judge::Evaluation;
@@ -51,7 +52,7 @@ Check trend_check(Aspect aspect) {
     check.observable = "slope";
     check.aspect = aspect;
     check.along = "dt";
-    check.against = "published:test/flat";
+    check.against = {Reference::Kind::published, "test/flat"};
     check.limit = 0.2;
     check.reason = "a test";
     return check;
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_trend_without_its_reference_or_a_run_is_never_green) {
     BOOST_CHECK(evaluation_of(case_with({check}), runs()).verdicts.at(1).outcome ==
                 Outcome::no_reference);
     check = trend_check(Aspect::constant);
-    check.against = "published:test/number";
+    check.against = {Reference::Kind::published, "test/number"};
     BOOST_CHECK(evaluation_of(case_with({check}), runs()).verdicts.at(0).outcome ==
                 Outcome::no_reference);
     check = trend_check(Aspect::constant);
@@ -206,7 +207,7 @@ BOOST_AUTO_TEST_CASE(a_fit_is_judged_once_between_codes_and_against_the_literatu
     BOOST_TEST(setting_text(same[0]) == "");
     BOOST_CHECK(judged(2).at(0).outcome == Outcome::disagree);
     check.kind = CheckKind::published;
-    check.against = "published:test/number";  // 1
+    check.against = {Reference::Kind::published, "test/number"};  // 1
     BOOST_CHECK(judged(1).at(0).outcome == Outcome::agree);
     BOOST_CHECK(judged(2).at(1).outcome == Outcome::disagree);
 }
@@ -214,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_fit_is_judged_once_between_codes_and_against_the_literatu
 BOOST_AUTO_TEST_CASE(a_fit_with_a_failed_run_or_too_few_points_is_never_green) {
     auto check = agree_check("power", 0.2);
     check.kind = CheckKind::published;
-    check.against = "published:test/number";
+    check.against = {Reference::Kind::published, "test/number"};
     const auto the_case = fitted_case(check);
     auto failed = power_law(the_case, "a", 1);
     failed[3].status = store::RunStatus::run_failed;

@@ -11,6 +11,7 @@
 using namespace crossgrain;
 using catalog::Check;
 using catalog::CheckKind;
+using catalog::Reference;
 using compare::Outcome;
 using judge::CaseRuns;
 using judge::Evaluation;
@@ -103,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_code_without_a_result_is_never_green) {
 BOOST_AUTO_TEST_CASE(what_was_not_measured_is_undecided) {
     auto check = check_of(CheckKind::exact, 1);
     check.observable = "something else";
-    check.against = "analytic:zero";
+    check.against = {Reference::Kind::closed_form, "zero"};
     const auto the_case = case_with({check});
     const auto evaluation = evaluation_of(the_case, {run_of("a", 0, 0)});
     BOOST_CHECK(evaluation.verdicts.at(0).outcome == Outcome::undecided);
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(what_was_not_measured_is_undecided) {
 
 BOOST_AUTO_TEST_CASE(an_exact_check_compares_with_the_closed_form) {
     auto check = check_of(CheckKind::exact, 1e-3);
-    check.against = "analytic:zero";
+    check.against = {Reference::Kind::closed_form, "zero"};
     const auto the_case = case_with({check});
     BOOST_CHECK(evaluation_of(the_case, {run_of("a", 5e-4, 0)}).verdicts[0].outcome ==
                 Outcome::agree);
@@ -121,9 +122,9 @@ BOOST_AUTO_TEST_CASE(an_exact_check_compares_with_the_closed_form) {
 
 BOOST_AUTO_TEST_CASE(a_missing_reference_is_no_reference) {
     auto exact = check_of(CheckKind::exact, 1);
-    exact.against = "analytic:nothing_of_this_name";
+    exact.against = {Reference::Kind::closed_form, "nothing_of_this_name"};
     auto published = check_of(CheckKind::published, 1);
-    published.against = "published:nobody-1900/nothing";
+    published.against = {Reference::Kind::published, "nobody-1900/nothing"};
     const auto the_case = case_with({exact, published});
     for (const auto& verdict : evaluation_of(the_case, {run_of("a", 0, 0)}).verdicts) {
         BOOST_CHECK(verdict.outcome == Outcome::no_reference);
