@@ -14,11 +14,14 @@ set(rule_cases/scene native/base cases/toml)
 set(rule_cases/catalog native/base cases/toml cases/scene)
 set(rule_cases/measure native/base native/numerics cases/scene)
 set(rule_cases/measure/statistics native/base native/numerics)
+set(rule_cases/measure/waves native/base native/numerics cases/measure cases/measure/statistics)
 foreach(model IN ITEMS bed collision gas hopper pipe discharge)
     set(rule_cases/measure/${model} native/base native/numerics cases/scene cases/measure cases/measure/statistics)
 endforeach()
 list(APPEND rule_cases/measure/collision cases/measure/bed)  # how plates move
-list(APPEND rule_cases/measure/pipe cases/measure/gas)       # one definition of waves for both
+foreach(model IN ITEMS gas pipe)  # one measurement of waves for both
+    list(APPEND rule_cases/measure/${model} cases/measure/waves)
+endforeach()
 set(rule_adapters native/base cases/scene)
 set(rule_adapters/process native/base cases/scene)
 set(rule_adapters/dump native/base cases/scene)

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
-#include "cases/measure/gas/gas_shift.hpp"
+#include "cases/measure/waves/field_shift.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
