@@ -7,8 +7,9 @@
 // the intervals (unwrapped around the pipe), and v is the slope of the straight line through the
 // shifts, intercept free: of all samples together for the velocity, of each alone for the share of
 // the samples in which something travels. Whether it does is decided by shift_line.hpp: shifts of
-// white noise are uniform on the pipe, and n intervals lie within a smoothing length s of a line
-// with a probability of (2 s/L)^(n - 1).
+// white noise are uniform on the pipe, and those of n intervals lie within a smoothing length s of
+// some line with a probability of about (2 s/L)^(n - 2); measured for n = 5 and 2 s/L = 0.2: 0.013
+// of samples, 0.006 of records.
 #pragma once
 
 #include "cases/measure/results.hpp"

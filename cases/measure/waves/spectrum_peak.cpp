@@ -131,8 +131,12 @@ std::optional<SpectrumPeak> find_peak(std::span<const double> power, const PeakS
     if (!top) return std::nullopt;
     SpectrumPeak peak{.k = static_cast<double>(top->k), .ratio = top->ratio};
     peak.false_alarm = false_alarm(*top, searched * static_cast<double>(search.spectra));
-    peak.significant = peak.false_alarm <= largest_false_alarm && peak.ratio >= least_peak_ratio;
     measure_shape(power, *top, search.degrees, peak);
+    // Otherwise it is the side of something that lies outside of the search.
+    const bool inside =
+        peak.k >= static_cast<double>(search.first) && peak.k <= static_cast<double>(search.last);
+    peak.significant =
+        inside && peak.false_alarm <= largest_false_alarm && peak.ratio >= least_peak_ratio;
     return peak;
 }
 

@@ -13,12 +13,15 @@
 // the frequencies of both sides: 9/5 is the loss of Bartlett's window, whose neighbouring powers
 // are correlated (Welch, IEEE Trans. AU-15, 70 (1967)), 3/5 the efficiency of a median. The
 // probability p of the largest F of N frequencies is Sidak's 1 - (1 - p)^N. A peak is significant
-// if it is at most 0.001 and F at least 1.3, which leaves out what a curved background does.
+// if it is at most 0.001, F at least 1.3, which leaves out what a curved background does, and its
+// centre lies within the search.
 //
 // Why not a multiple of the median, or of the scatter of log P: a factor of 20 is right for nu = 2
-// and 2500 frequencies (2^-20 each, 1 in 400 records) and for nothing else; of means over 200
-// periodograms a factor of 2 is beyond doubt. Measured over 1000 records (tests of this file and
-// of mode_spectrum.hpp): see there.
+// and 2500 frequencies (2^-20 each, 1 in 400 records) and for nothing else; in the mean of 200
+// periodograms a factor of 2 is beyond doubt. Measured (tests/cases/measure/waves): no false alarm
+// in 1000 records each of noise with exponents 0, 1 and 1.86, nor in 100 of 32 samples each, which
+// is no more than the stated one in 1000: the larger median is on the safe side. A wave that keeps
+// its phase for 100 of 1024 intervals, as strong as the noise of a bin, is found in 100 of 100.
 #pragma once
 
 #include <cstddef>

@@ -49,7 +49,9 @@ BOOST_AUTO_TEST_CASE(a_line_is_found_at_its_place_on_every_background) {
             BOOST_TEST_REQUIRE(peak.has_value());
             BOOST_TEST(peak->significant);
             BOOST_TEST(std::abs(peak->k - k0) < 0.3);
-            BOOST_TEST(std::abs(peak->ratio - 3.0) < 0.4);
+            // A mean over the width of the line, whose top is three times the background.
+            BOOST_TEST(peak->ratio > 1.8);
+            BOOST_TEST(peak->ratio < 3.1);
         }
     }
 }
