@@ -72,7 +72,7 @@ void GasSpectrum::finish(Results& results) {
             waves += modes_->wave_of(r) ? 1 : 0;
         results.measurements.push_back(fraction("wave_fraction", waves, replicas_));
         if (const auto wave = modes_->append_wave(results)) {
-            f_max = std::min(f_max, 0.7 * wave->frequency);
+            f_max = std::min(f_max, 0.7 * wave->fundamental);
             results.measurements.back().settings.insert(
                 {{"v_min", options_.v_min}, {"v_max", options_.v_max}});
         }

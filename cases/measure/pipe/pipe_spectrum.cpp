@@ -20,8 +20,10 @@ void PipeSpectrum::append_alpha(const BinSpectrum& spectrum, Results& results) c
     constexpr double least_decades = 0.5;
     const PipeRecord& record = recorder_.record();
     const double speed = std::abs(record.mean_speed()), per_frame = record.interval;
-    const auto wave = mode_spectrum(record).wave();
-    const double f_wave = wave ? wave->frequency : speed / record.length * per_frame;
+    const ModeSpectrum modes = mode_spectrum(record);
+    const auto wave = modes.wave();
+    const double f_wave = wave ? static_cast<double>(modes.strongest_mode()) * wave->fundamental
+                               : speed / record.length * per_frame;
     const FrequencyWindow window{options_.low * f_wave,
                                  options_.high * speed / record.bin * per_frame};
     const double decades = std::log10(window.high / window.low);
@@ -30,7 +32,7 @@ void PipeSpectrum::append_alpha(const BinSpectrum& spectrum, Results& results) c
                           {{"f_min", window.low / per_frame},
                            {"f_max", window.high / per_frame},
                            {"decades", decades},
-                           {"peak", wave ? wave->frequency / per_frame : 0.0},
+                           {"peak", wave ? f_wave / per_frame : 0.0},
                            {"bin", record.bin}},
                           results);
 }

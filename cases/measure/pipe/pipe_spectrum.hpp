@@ -2,9 +2,10 @@
 // (bin_spectrum.hpp), the segments of one run the samples.
 //
 // Grains have no largest velocity as a lattice gas has, so the window is set by the flow itself:
-// from 1.5 times the frequency f_w of the wave (of pipe_modes.hpp) to 0.35
-// V/b, above which a bin of width b sees single grains pass. Between, alpha still depends on b: it
-// can be compared to +-0.3, in the same window. Without a wave f_w = V/L.
+// from 1.5 times the frequency f_w = k V_w/L of the wave, V_w that of pipe_modes.hpp and k the mode
+// with the most power, to 0.35 V/b, above which a bin of width b sees single grains pass. Between,
+// alpha still depends on b: it can be compared to +-0.3, in the same window. Without a wave
+// f_w = V/L.
 #pragma once
 
 #include "cases/measure/estimator.hpp"

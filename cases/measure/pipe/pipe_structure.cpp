@@ -1,8 +1,11 @@
 #include "cases/measure/pipe/pipe_structure.hpp"
 
-#include "cases/measure/waves/over_samples.hpp"
+#include "cases/measure/pipe/pipe_modes.hpp"
+#include "cases/measure/statistics/blocking.hpp"
 
+#include <complex>
 #include <stdexcept>
+#include <vector>
 
 namespace crossgrain::measure {
 
@@ -19,9 +22,18 @@ void PipeStructure::finish(Results& results) {
         factor_.add(record.field(pipe_blocks, t));
     factor_.append(results);
     const auto first = static_cast<std::size_t>(options_.k_min);
-    Measurement s = over_samples("structure_factor", factor_.at(first), "1");
-    s.settings = {{"k", static_cast<double>(first)}};
-    results.measurements.push_back(s);
+    const PipeMode mode = pipe_mode(record, first);
+    std::vector<double> series;
+    for (const auto& density : mode.density)
+        series.push_back(std::norm(density) /
+                         static_cast<double>(recorder_.section().mobile.size()));
+    if (const auto mean = blocked_mean(series)) {
+        results.measurements.push_back({.observable = "structure_factor",
+                                        .value = mean->value,
+                                        .standard_error = mean->standard_error,
+                                        .n = mean->blocks,
+                                        .settings = {{"k", static_cast<double>(first)}}});
+    }
 }
 
 }  // namespace crossgrain::measure

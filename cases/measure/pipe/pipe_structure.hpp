@@ -18,8 +18,8 @@ struct PipeStructureOptions {
     std::int64_t k_max = 7;  ///< > k_min, at most 64 and half the diameters in the pipe
 };
 
-/// What StructureFactor::append says, and `structure_factor` S(k_min), setting k. Nothing with
-/// fewer than 128 frames.
+/// What StructureFactor::append says, and `structure_factor` S(k_min), error by blocking, setting
+/// k. Nothing with fewer than 128 frames.
 class PipeStructure final : public Estimator {
   public:
     /// Throws std::invalid_argument for a scene that is no pipe or shorter than 16 diameters, and

@@ -97,11 +97,22 @@ std::optional<WavePeak> ModeSpectrum::strongest(std::size_t first, std::size_t l
             if (best && peak->excess <= best->peak.excess) continue;
             best = WavePeak{.k = mode + 1,
                             .velocity = velocity(mode, direction, peak->k),
-                            .frequency = peak->k / static_cast<double>(points_),
+                            .fundamental = peak->k / static_cast<double>(points_ * (mode + 1)),
                             .peak = *peak};
         }
     }
     return best;
+}
+
+std::size_t ModeSpectrum::strongest_mode() const {
+    std::array<double, modes> sums{};
+    for (std::size_t mode = 0; mode < modes; ++mode) {
+        for (const std::size_t direction : {0U, 1U}) {
+            for (const double p : power(mode, direction, 0, record_.shape.samples))
+                sums[mode] += p;
+        }
+    }
+    return static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin()) + 1;
 }
 
 std::optional<WavePeak> ModeSpectrum::wave() const {

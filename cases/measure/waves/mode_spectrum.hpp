@@ -33,9 +33,9 @@ struct SpeedBand {
 };
 
 struct WavePeak {
-    std::size_t k = 1;     ///< waves per pipe
-    double velocity = 0;   ///< along gravity
-    double frequency = 0;  ///< |f|, cycles per interval
+    std::size_t k = 1;       ///< waves per pipe
+    double velocity = 0;     ///< along gravity
+    double fundamental = 0;  ///< |v| T/L, at which the pattern goes round, cycles per interval
     SpectrumPeak peak;
 };
 
@@ -52,6 +52,9 @@ class ModeSpectrum {
     /// The significant peak with the most power, of all samples or of one.
     [[nodiscard]] std::optional<WavePeak> wave() const;
     [[nodiscard]] std::optional<WavePeak> wave_of(std::size_t sample) const;
+
+    /// The k with the most power at all frequencies, all samples together.
+    [[nodiscard]] std::size_t strongest_mode() const;
 
     /// Appends `wave_velocity` if there is a wave: standard error by the jackknife over up to 16
     /// groups of samples (a weak peak stands out of all of them, not of one), for a single sample

@@ -33,15 +33,14 @@ class StructureFactor {
     /// A field of counts.
     void add(std::span<const std::uint16_t> counts);
 
-    /// S(k) of each sample, shape (samples); nothing without particles.
-    [[nodiscard]] std::vector<double> at(std::size_t k) const;
-
     /// Appends `wave_number_exponent` (0 without structure, negative for waves), settings k_min and
     /// k_max; `wave_number`, the k of the largest S, if that is above 1.3 times the median of S by
     /// Student's t of the samples at 0.001 over all k; the series "wave-numbers": k, S, err.
     void append(Results& results) const;
 
   private:
+    /// S(k) of each sample, shape (samples); nothing without particles.
+    [[nodiscard]] std::vector<double> at(std::size_t k) const;
     void transform(std::span<const std::uint16_t> counts, std::size_t sample);
 
     FieldShape shape_;
