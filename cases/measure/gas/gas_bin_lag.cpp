@@ -1,6 +1,6 @@
 #include "cases/measure/gas/gas_bin_lag.hpp"
 
-#include "cases/measure/gas/gas_shift.hpp"
+#include "cases/measure/waves/field_shift.hpp"
 #include "native/numerics/jackknife.hpp"
 #include "native/numerics/mean_with_error.hpp"
 

@@ -1,5 +1,7 @@
 #include "cases/measure/gas/gas_contrast.hpp"
 
+#include "cases/measure/waves/over_samples.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -82,21 +84,21 @@ void GasContrast::finish(Results& results) {
     const double white =
         white_contrast(numerics::mean_with_error(*density).value, sites_per_bin(sampling_));
     const double initial = numerics::mean_with_error(first_).value;
-    Measurement level = over_replicas("contrast_late", *late, "1");
+    Measurement level = over_samples("contrast_late", *late, "1");
     level.settings = {{"white", white}, {"initial", initial}};
     results.measurements.push_back(level);
 
     std::vector<double> growth = *late;
     for (std::size_t r = 0; r < growth.size(); ++r)
         growth[r] -= first_[r];
-    results.measurements.push_back(over_replicas("contrast_growth", growth, "1"));
+    results.measurements.push_back(over_samples("contrast_growth", growth, "1"));
     const auto grown = std::ranges::count_if(*late, [&](double c) { return c > initial; });
     results.measurements.push_back(
         fraction("contrast_grows", static_cast<std::size_t>(grown), late->size()));
     if (white > 0) {
         std::vector<double> excess = *late;
         std::ranges::transform(excess, excess.begin(), [&](double c) { return c / white - 1; });
-        results.measurements.push_back(over_replicas("contrast_excess", excess, "1"));
+        results.measurements.push_back(over_samples("contrast_excess", excess, "1"));
     }
 }
 

@@ -1,5 +1,7 @@
 #include "cases/measure/gas/gas_energy.hpp"
 
+#include "cases/measure/waves/over_samples.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -89,10 +91,10 @@ void GasEnergy::add_saturation(Results& results) const {
         if (late[g] > 0 && std::abs(drift) < steady) ++saturated;
         if (const auto time = saturation_time(g, late[g])) times.push_back(*time);
     }
-    results.measurements.push_back(over_replicas("energy_loss_drift", drifts, "1"));
+    results.measurements.push_back(over_samples("energy_loss_drift", drifts, "1"));
     results.measurements.push_back(fraction("energy_loss_saturates", saturated, groups_));
     if (times.size() == groups_) {
-        results.measurements.push_back(over_replicas("energy_saturation_time", times, "steps"));
+        results.measurements.push_back(over_samples("energy_saturation_time", times, "steps"));
     }
 }
 
@@ -102,8 +104,8 @@ void GasEnergy::finish(Results& results) {
     const auto late = fourth_.means();
     if (!late || !third_.means()) return;
     results.measurements.push_back(
-        over_replicas("rests_per_site", *fourth_rests_.means(), "1/site"));
-    results.measurements.push_back(over_replicas("energy_loss_late", *late, "1/site"));
+        over_samples("rests_per_site", *fourth_rests_.means(), "1/site"));
+    results.measurements.push_back(over_samples("energy_loss_late", *late, "1/site"));
     add_saturation(results);
 }
 

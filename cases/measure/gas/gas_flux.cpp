@@ -1,5 +1,6 @@
 #include "cases/measure/gas/gas_flux.hpp"
 
+#include "cases/measure/waves/over_samples.hpp"
 #include "native/base/memory_budget.hpp"
 #include "native/numerics/line_fit.hpp"
 
@@ -133,14 +134,14 @@ void GasFlux::finish(Results& results) {
         if (particles > 0) speeds.push_back(summed / particles);
     }
     results.series.push_back(curve());
-    results.measurements.push_back(over_replicas("flux", fluxes, "1/step"));
-    results.measurements.push_back(over_replicas("particles_per_site", densities, "1/site"));
+    results.measurements.push_back(over_samples("flux", fluxes, "1/step"));
+    results.measurements.push_back(over_samples("particles_per_site", densities, "1/site"));
     if (speeds.size() == replicas_) {
-        results.measurements.push_back(over_replicas("mean_speed", speeds, "sites/step"));
+        results.measurements.push_back(over_samples("mean_speed", speeds, "sites/step"));
     }
     const auto regression = slopes();
     if (2 * regression.size() < replicas_) return;
-    Measurement slope = over_replicas("flux_slope", regression, "sites/step");
+    Measurement slope = over_samples("flux_slope", regression, "sites/step");
     slope.settings = {{"window", options_.window}};
     results.measurements.push_back(slope);
 }

@@ -10,7 +10,6 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
-#include "cases/measure/gas/gas_window.hpp"
 #include "cases/measure/options.hpp"
 #include "cases/scene/gas_sampling.hpp"
 

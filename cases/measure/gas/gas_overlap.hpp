@@ -1,26 +1,15 @@
-// Velocity of a density wave in real space by maximal overlap (Peng & Herrmann 1995, section III.C,
-// Fig. 5): from a reference field on, the shift at which a later field overlaps it most grows as
-// v T with the time interval T.
-//
-// Fields are first averaged over about 20 sites: otherwise single particles in free fall decide
-// the overlap. For each replica the overlap functions of all references are added, the shift of
-// their maximum is followed over the intervals (unwrapped around the pipe), and v is the slope of
-// the straight line through the shifts, intercept free.
-//
-// Whether a pattern travels is decided by shift_line.hpp. Shifts of white noise are uniform on the
-// pipe; seven intervals and L = 512 pass with probability (40/512)^6 < 1e-6, L = 220 with 4e-5. It
-// is a wave if its speed is between v_min and v_max, up or down: particles in free fall carry every
-// pattern along at v = 1.
+// Velocity of a density wave of a lattice gas by maximal overlap (overlap_velocity.hpp), every
+// replica a sample. It is a wave if its speed is between v_min and v_max, up or down: particles in
+// free fall carry every pattern along at v = 1. Seven intervals of white noise lie on a line with
+// probability of about (40/512)^5 = 3e-6 for L = 512, 2e-4 for L = 220.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
-#include "cases/measure/gas/gas_shift.hpp"
 #include "cases/measure/options.hpp"
-#include "cases/measure/statistics/shift_line.hpp"
+#include "cases/measure/waves/overlap_velocity.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace crossgrain::measure {
@@ -46,15 +35,9 @@ inline OptionKeys option_keys(GasOverlapOptions& o) {
         {"references", &o.references, Range::whole(1), "most reference fields, equally spaced"}};
 }
 
-/// Series "overlap": T, shift and err (sites; mean over the replicas with a wave, of all replicas
-/// if none has), height (overlap at its maximum over that of the reference with itself, all
-/// replicas). Measurements:
-/// - `overlap_wave_fraction`: share of the replicas with a wave;
-/// - `overlap_other_fraction`: share of those whose pattern travels at another speed;
-/// - `overlap_velocity`: sites per step along gravity, over the replicas with a wave (n of them);
-///   absent if fewer than two have one. Settings lag_min, lag_max, smoothing, references, share
-///   (of the replicas).
-/// Nothing if the run ended before the first reference was followed to the largest lag.
+/// What OverlapVelocity appends, and `overlap_other_fraction`, the share of the replicas whose
+/// pattern travels at another speed. Nothing if the run ended before the first reference was
+/// followed to the largest lag.
 class GasOverlap final : public GasEstimator {
   public:
     using Options = GasOverlapOptions;
@@ -66,19 +49,12 @@ class GasOverlap final : public GasEstimator {
     void finish(Results& results) override;
 
   private:
-    [[nodiscard]] std::vector<double> shifts(std::size_t replica) const;
-    [[nodiscard]] ShiftLine line_through(const std::vector<double>& shifts) const;
-    [[nodiscard]] double height(std::size_t lag) const;
-
-    scene::GasSampling sampling_;
-    GasOverlapOptions options_;
-    FieldShape shape_;
-    std::vector<std::int64_t> lags_;  ///< frames, ascending
-    std::size_t rows_;                ///< bins of the smoothing
-    std::int64_t stride_;             ///< frames between references
-    std::int64_t frame_ = 0, completed_ = 0;
-    std::vector<float> reference_, pending_;  ///< pending_: overlaps of the present reference
-    std::vector<float> overlaps_;             ///< of all, shape (1 + lags, bins, replicas)
+    std::size_t replicas_;
+    std::int64_t stride_ = 1;  ///< frames between references
+    std::int64_t frames_, frame_ = 0, completed_ = 0;
+    std::vector<std::size_t> lags_;  ///< frames, ascending
+    OverlapVelocity overlap_;
+    std::vector<float> reference_;
 };
 
 }  // namespace crossgrain::measure

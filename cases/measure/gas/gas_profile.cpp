@@ -1,7 +1,7 @@
 #include "cases/measure/gas/gas_profile.hpp"
 
-#include "cases/measure/gas/gas_window.hpp"
-#include "cases/measure/gas/wave_profile.hpp"
+#include "cases/measure/waves/over_samples.hpp"
+#include "cases/measure/waves/wave_profile.hpp"
 #include "native/base/random.hpp"
 
 #include <fmt/format.h>
@@ -60,8 +60,8 @@ std::vector<float> every_second(FieldShape shape, const std::vector<float>& fiel
                                 std::size_t parity) {
     std::vector<float> half;
     for (std::size_t x = 0; x < shape.bins; ++x) {
-        for (std::size_t r = parity; r < shape.replicas; r += 2)
-            half.push_back(fields[x * shape.replicas + r]);
+        for (std::size_t r = parity; r < shape.samples; r += 2)
+            half.push_back(fields[x * shape.samples + r]);
     }
     return half;
 }
@@ -110,10 +110,10 @@ void GasProfile::add(const scene::GasFrame& frame) {
 // One profile per group, each of as many replicas: a power of two.
 std::vector<float> GasProfile::groups_of(std::vector<float> profiles) const {
     const auto groups = static_cast<std::size_t>(options_.groups);
-    const std::size_t used = std::bit_floor(shape_.replicas / groups) * groups;
+    const std::size_t used = std::bit_floor(shape_.samples / groups) * groups;
     std::vector<float> kept;
     for (std::size_t x = 0; x < shape_.bins; ++x) {
-        const auto* row = &profiles[x * shape_.replicas];
+        const auto* row = &profiles[x * shape_.samples];
         kept.insert(kept.end(), row, row + used);
     }
     return merge_down(shape_.bins, std::move(kept), groups);
@@ -157,8 +157,8 @@ void GasProfile::finish(Results& results) {
         widths.push_back(shape.width * sampling_.bin);
         scaled.push_back(widths.back() / sampling_.length);
     }
-    results.measurements.push_back(over_replicas("profile_width", widths, "sites"));
-    results.measurements.push_back(over_replicas("profile_width_over_length", scaled, "1"));
+    results.measurements.push_back(over_samples("profile_width", widths, "sites"));
+    results.measurements.push_back(over_samples("profile_width_over_length", scaled, "1"));
 }
 
 }  // namespace crossgrain::measure

@@ -12,8 +12,8 @@
 #pragma once
 
 #include "cases/measure/estimator.hpp"
-#include "cases/measure/gas/gas_shift.hpp"
 #include "cases/measure/options.hpp"
+#include "cases/measure/waves/field_shift.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>

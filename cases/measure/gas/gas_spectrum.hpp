@@ -1,39 +1,19 @@
-// Power spectrum of the density fluctuations in the bins of a pipe, its exponent, and the velocity
-// of density waves (Peng & Herrmann 1995, section III.D, Figs. 6-10 and 12).
+// Spectrum, exponent and waves of a lattice gas: every replica is a sample of bin_spectrum.hpp and
+// mode_spectrum.hpp (Peng & Herrmann 1995, section III.D, Figs. 6-10 and 12).
 //
-// The record of a bin is cut into S segments of M frames that do not overlap. Each, minus its mean,
-// is multiplied with the "Parzen" window of Numerical Recipes (1988), section 12.7,
-//
-//   w_j = 1 - |(j - (M-1)/2)/((M+1)/2)|
-//
-// (a triangle, nowadays Bartlett's), and
-//
-//   P(f_k) = 2 |sum_j w_j n_j exp(-2 pi i j k/M)|^2 / sum_j w_j^2,   f_k = k/M per record,
-//
-// is averaged over segments, bins and replicas; the integral of P over f is the variance of n.
-//
-// alpha: log_binned_slope.hpp over the window f_min..f_max, cut off at 0.7 of the wave's frequency
-// if a wave is found below f_max/0.7. Standard error: jackknife over replicas. Systematic error:
-// half the spread over the windows f_min/2..f_max, f_min..f_max, 2 f_min..f_max, f_min/2..f_max/2
-// and f_min..f_max/2.
-//
-// v = L f/T0, T0 the steps between records: the peak of spectrum_peak.hpp between v_min and v_max;
-// above lie free fall (v = 1) and harmonics, below the background of slow changes. Standard error:
-// jackknife over up to 16 groups of replicas (a weak peak stands out of all of them, not of one);
-// systematic error: half of a frequency step.
+// A wave is looked for between v_min and v_max: above lie free fall (v = 1) and harmonics, below
+// the background of slow changes. The fit window of alpha is cut off at 0.7 of the wave's
+// frequency.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
-#include "cases/measure/gas/gas_segments.hpp"
 #include "cases/measure/options.hpp"
-#include "cases/measure/statistics/log_binned_slope.hpp"
-#include "cases/measure/statistics/pair_transform.hpp"
-#include "cases/measure/statistics/spectrum_peak.hpp"
+#include "cases/measure/waves/bin_spectrum.hpp"
+#include "cases/measure/waves/mode_spectrum.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace crossgrain::measure {
 
@@ -63,13 +43,10 @@ inline OptionKeys option_keys(GasSpectrumOptions& o) {
 }
 
 /// Measurements:
-/// - `alpha`, settings f_min, f_max, segments, points;
-/// - in periodic pipes `wave_fraction`: share of the replicas with a significant peak;
-///   `wave_velocity`: of the ensemble's spectrum, only if its peak is significant, settings
-///   peak_ratio (over the background) and peak_sigmas.
-/// Series "spectrum": f, P and err (over replicas); every k up to 1024, then means of 8.
-/// Nothing if the run ends before S M frames; no alpha if P vanishes in the window; no wave if the
-/// band of velocities is beyond the spectrum or at its very first frequencies.
+/// - `alpha`, settings f_min, f_max, segments, points, running_mean;
+/// - in periodic pipes of nine bins or more that are all looked at: `wave_fraction`, share of the
+///   replicas that have a wave of their own, and `wave_velocity` (along gravity) of the ensemble.
+/// Series "spectrum". Nothing if the run ends before S M frames.
 class GasSpectrum final : public GasEstimator {
   public:
     using Options = GasSpectrumOptions;
@@ -82,26 +59,12 @@ class GasSpectrum final : public GasEstimator {
     void finish(Results& results) override;
 
   private:
-    void transform_segment();
-    [[nodiscard]] std::vector<double> spectrum(std::size_t first, std::size_t last) const;
-    [[nodiscard]] PeakSearch peak_search() const;
-    [[nodiscard]] double velocity(double k) const;
-    [[nodiscard]] std::optional<SpectrumPeak> add_wave(const std::vector<double>& mean,
-                                                       Results& results) const;
-    [[nodiscard]] double velocity_error(const std::vector<double>& mean) const;
-    void add_alpha(const std::vector<double>& mean, double f_max, Results& results) const;
-    [[nodiscard]] double alpha_error(const std::vector<double>& mean, FrequencyWindow window) const;
-    void add_series(const std::vector<double>& mean, Results& results) const;
-
-    scene::GasSampling sampling_;
     GasSpectrumOptions options_;
-    std::size_t replicas_, points_;
-    GasSegments segments_;
-    PairTransform transform_;
-    std::vector<float> window_;
-    double normalisation_ = 0;   ///< from sums of squares to P
-    std::vector<double> power_;  ///< sums over bins and segments, shape (replicas, M/2 + 1)
-    std::int64_t done_ = 0;      ///< segments
+    std::size_t replicas_;
+    RecordSegments segments_;
+    BinSpectrum bins_;
+    std::optional<ModeSpectrum> modes_;
+    std::int64_t done_ = 0;  ///< segments
 };
 
 }  // namespace crossgrain::measure

@@ -1,6 +1,6 @@
 #include "cases/measure/gas/gas_steady_state.hpp"
 
-#include "cases/measure/gas/gas_window.hpp"
+#include "cases/measure/waves/over_samples.hpp"
 #include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #include "cases/measure/gas/gas_total.hpp"
 
+#include "cases/measure/waves/over_samples.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,15 +80,15 @@ void GasTotal::finish(Results& results) {
         const bool full = r < saturated_.size() && saturated_[r] != 0;
         if (full || growth[r] > options_.margin) ++clogged;
     }
-    results.measurements.push_back(over_replicas("number_plateau", *plateau, "1"));
-    results.measurements.push_back(over_replicas("number_late", late, "1"));
-    results.measurements.push_back(over_replicas("number_growth", growth, "1"));
+    results.measurements.push_back(over_samples("number_plateau", *plateau, "1"));
+    results.measurements.push_back(over_samples("number_late", late, "1"));
+    results.measurements.push_back(over_samples("number_growth", growth, "1"));
     Measurement share = fraction("clogged_fraction", clogged, growth.size());
     share.settings = {{"margin", options_.margin}};
     results.measurements.push_back(share);
     const auto outflow = late_outflow_.means();
     if (outflow && sampling_.fields.momentum) {
-        results.measurements.push_back(over_replicas("outflow", *outflow, "1/step"));
+        results.measurements.push_back(over_samples("outflow", *outflow, "1/step"));
     }
 }
 

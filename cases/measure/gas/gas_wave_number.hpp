@@ -1,20 +1,12 @@
-// Spatial spectrum of the density along a pipe,
-//
-//   S(k) = < | sum_j (n_j - nbar) exp(-2 pi i j k/K) |^2 > / (K nbar),   k = 1..K/2,
-//
-// averaged over frames and replicas; 1 for particles without correlation (Poisson), k waves per
-// pipe length. Its exponent is the log-log slope over k_min..k_max, standard error by the jackknife
-// over replicas, systematic error half the spread over k_min..k_max, k_min..k_max/2 and 2
-// k_min..k_max. An open pipe is no period: its S(k) holds the jump between its ends too.
+// Spatial spectrum S(k) of a lattice gas (structure_factor.hpp), every replica a sample.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/options.hpp"
-#include "cases/measure/statistics/pair_transform.hpp"
+#include "cases/measure/waves/structure_factor.hpp"
 #include "cases/scene/gas_sampling.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace crossgrain::measure {
 
@@ -31,28 +23,19 @@ inline OptionKeys option_keys(GasWaveNumberOptions& o) {
             {"fields", &o.fields, Range::whole(1), "most frames used, equally spaced"}};
 }
 
-/// Measurements: `wave_number_exponent` (slope of log S, -alpha_k; 0 without structure), settings
-/// k_min, k_max; `wave_number`: k of the largest S, only if that is above 1.3 times the median of S
-/// by five standard errors. Series "wave-numbers": k, S, err. Nothing if the run ended early.
+/// What StructureFactor::append says. Nothing if the run ended early.
 class GasWaveNumber final : public GasEstimator {
   public:
     using Options = GasWaveNumberOptions;
-    /// Throws std::invalid_argument without the field `count`, with fewer than 3 replicas or 16
-    /// bins, and unless 1 <= k_min < k_max <= bins/2 and fields >= 1.
+    /// Throws std::invalid_argument without the field `count`, unless fields >= 1, and for what
+    /// StructureFactor refuses.
     GasWaveNumber(const scene::GasSampling& sampling, GasWaveNumberOptions options);
     void add(const scene::GasFrame& frame) override;
     void finish(Results& results) override;
 
   private:
-    void transform(const scene::GasFrame& frame, std::size_t replica);
-
-    scene::GasSampling sampling_;
-    GasWaveNumberOptions options_;
-    std::size_t bins_, replicas_;
-    std::int64_t frame_ = 0, stride_ = 1, used_ = 0;
-    PairTransform transform_;
-    std::vector<std::vector<double>> spectra_;  ///< sums, shape (replicas, K/2 + 1)
-    std::vector<double> particles_;             ///< sums, shape (replicas)
+    std::int64_t frames_, frame_ = 0, stride_ = 1;
+    StructureFactor factor_;
 };
 
 }  // namespace crossgrain::measure

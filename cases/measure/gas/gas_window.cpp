@@ -1,7 +1,6 @@
 #include "cases/measure/gas/gas_window.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace crossgrain::measure {
 
@@ -40,25 +39,6 @@ Series GasCurve::series(const std::string& name, const std::string& quantity,
             .columns = {"t", quantity, "err"},
             .values = {times_, values_, errors_},
             .units = {"steps", unit, unit}};
-}
-
-Measurement fraction(const std::string& observable, std::size_t holding, std::size_t replicas) {
-    const auto n = static_cast<double>(replicas);
-    const double share = static_cast<double>(holding) / n;
-    return {.observable = observable,
-            .value = share,
-            .standard_error = std::sqrt(share * (1 - share) / n),
-            .n = replicas};
-}
-
-Measurement over_replicas(const std::string& observable, std::span<const double> samples,
-                          const std::string& unit) {
-    const numerics::MeanWithError mean = numerics::mean_with_error(samples);
-    return {.observable = observable,
-            .value = mean.value,
-            .standard_error = mean.standard_error,
-            .n = mean.n,
-            .unit = unit};
 }
 
 }  // namespace crossgrain::measure

@@ -48,12 +48,4 @@ class GasCurve {
     std::vector<double> times_, values_, errors_;
 };
 
-/// Share of the replicas for which something holds, with its binomial standard error.
-[[nodiscard]] Measurement fraction(const std::string& observable, std::size_t holding,
-                                   std::size_t replicas);
-
-/// A measurement from one sample per replica (or group of replicas).
-[[nodiscard]] Measurement over_replicas(const std::string& observable,
-                                        std::span<const double> samples, const std::string& unit);
-
 }  // namespace crossgrain::measure

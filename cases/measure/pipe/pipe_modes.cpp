@@ -1,9 +1,5 @@
 #include "cases/measure/pipe/pipe_modes.hpp"
 
-#include "cases/measure/statistics/pair_transform.hpp"
-#include "cases/measure/statistics/parzen_window.hpp"
-#include "native/numerics/median.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,27 +7,6 @@
 
 namespace crossgrain::measure {
 namespace {
-
-/// Power at signed frequencies: index j stands for j - points/2 cycles per `points` frames.
-std::vector<double> signed_power(std::span<const std::complex<double>> mode) {
-    const std::size_t points = mode.size() / 2 * 2, half = points / 2;
-    PairTransform transform(points);
-    const auto window = parzen_window(points);
-    const auto input = transform.input();
-    for (std::size_t t = 0; t < points; ++t)
-        input[t] = window[t] * std::complex<float>(mode[t]);
-    transform.forward();
-    std::vector<double> power(points + 1);
-    for (std::size_t k = 0; k <= half; ++k) {
-        // Of real and imaginary part; i times the latter makes the whole again.
-        const auto [real, imaginary] = transform.at(k);
-        const std::complex<float> i(0.0F, 1.0F);
-        power[half + k] = static_cast<double>(std::norm(real + i * imaginary));
-        power[half - k] =
-            static_cast<double>(std::norm(std::conj(real) + i * std::conj(imaginary)));
-    }
-    return power;
-}
 
 /// What a class of densities has seen, by block.
 struct DensityClass {
@@ -92,31 +67,15 @@ PipeMode pipe_mode(const PipeRecord& record, std::size_t k) {
     return mode;
 }
 
-std::optional<TurningFrequency> turning_frequency(std::span<const std::complex<double>> mode) {
-    constexpr double least_ratio = 20;
-    if (mode.size() < 64) return std::nullopt;
-    const std::vector<double> power = signed_power(mode);
-    const std::size_t half = power.size() / 2;
-    std::size_t top = half;
-    double highest = 0;
-    for (std::size_t j = 1; j + 1 < power.size(); ++j) {
-        const double smooth = (power[j - 1] + 2 * power[j] + power[j + 1]) / 4;
-        if (smooth <= highest) continue;
-        highest = smooth;
-        top = j;
-    }
-    const double background = numerics::median(power);
-    if (!(highest > least_ratio * background)) return std::nullopt;
-    const std::size_t away = top > half ? top - half : half - top;
-    const std::size_t reach = std::max<std::size_t>(4, away / 4);
-    double sum = 0, moment = 0;
-    for (std::size_t j = top - std::min(top, reach); j <= top + reach && j < power.size(); ++j) {
-        const double excess = std::max(0.0, power[j] - background);
-        sum += excess;
-        moment += excess * (static_cast<double>(j) - static_cast<double>(half));
-    }
-    return TurningFrequency{.frequency = moment / sum / static_cast<double>(2 * half),
-                            .ratio = background > 0 ? highest / background : 0.0};
+ModeSpectrum mode_spectrum(const PipeRecord& record) {
+    constexpr double fastest = 4;
+    const std::size_t points = record.frames() / 2 * 2;
+    ModeSpectrum modes(record.in_blocks(1), points, {0, fastest * std::abs(record.mean_speed())});
+    RecordSegments segment({0, record.bins - 1}, 1, points);
+    for (std::size_t t = 0; t < points; ++t)
+        segment.add(record.count_at(t));
+    modes.add(segment);
+    return modes;
 }
 
 std::vector<FluxRegression> flux_regression(const PipeRecord& record, double wavelength_min) {

@@ -2,9 +2,7 @@
 //
 //   n_k(t) = sum_i n_i exp(-2 pi i k (i + 1/2)/K),   J_k(t) the same of the flux,
 //
-// the frequency at which n_k turns, and the regression of flux on density.
-//
-// A wave that moves down at v turns n_k at the frequency -k v/L. The regression of flux on density,
+// and the regression of flux on density,
 //
 //   dJ/drho = sum_k (Re <J_k n_k*> - N V) / sum_k (<|n_k|^2> - N),   wavelengths L/k >=
 //   wavelength_min,
@@ -14,10 +12,9 @@
 #pragma once
 
 #include "cases/measure/pipe/pipe_record.hpp"
+#include "cases/measure/waves/mode_spectrum.hpp"
 
 #include <complex>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace crossgrain::measure {
@@ -30,17 +27,8 @@ struct PipeMode {
 /// `k` from 0 (all grains) to bins/2.
 [[nodiscard]] PipeMode pipe_mode(const PipeRecord& record, std::size_t k);
 
-struct TurningFrequency {
-    double frequency = 0;  ///< signed, cycles per frame
-    double ratio = 0;      ///< power at the peak over the median of all frequencies
-};
-
-/// Centre of the peak of the power spectrum (Parzen's window, one segment): the maximum of the
-/// power averaged with weights 1, 2, 1, then the centroid of the power over +- 1/4 of its frequency
-/// (four frequency steps at least). Nothing if it is not 20 times the median (white noise: 1 in 400
-/// for 2500 frames) or for fewer than 64 frames.
-[[nodiscard]] std::optional<TurningFrequency>
-turning_frequency(std::span<const std::complex<double>> mode);
+/// Their spectra over the whole run, one sample, for speeds up to 4 V.
+[[nodiscard]] ModeSpectrum mode_spectrum(const PipeRecord& record);
 
 /// Sums of a regression over some frames, grains with themselves left out; they add.
 struct FluxRegression {

@@ -1,7 +1,7 @@
 #include "cases/measure/pipe/pipe_profile.hpp"
 
-#include "cases/measure/gas/wave_profile.hpp"
 #include "cases/measure/pipe/pipe_modes.hpp"
+#include "cases/measure/waves/wave_profile.hpp"
 #include "native/base/random.hpp"
 
 #include <algorithm>

@@ -19,6 +19,21 @@ double PipeRecord::mean_speed(std::size_t first, std::size_t last) const {
     return grains > 0 ? summed / grains : 0.0;
 }
 
+BinnedRecord PipeRecord::in_blocks(std::size_t samples) const {
+    return {.shape = {bins, samples}, .length = length, .interval = interval};
+}
+
+std::vector<std::uint16_t> PipeRecord::field(std::size_t samples, std::size_t t) const {
+    const std::size_t block = frames() / samples;
+    std::vector<std::uint16_t> counts(bins * samples);
+    for (std::size_t s = 0; s < samples; ++s) {
+        const auto here = count_at(s * block + t);
+        for (std::size_t i = 0; i < bins; ++i)
+            counts[i * samples + s] = here[i];
+    }
+    return counts;
+}
+
 PipeRecorder::PipeRecorder(const scene::Scene& scene, PipeRecordOptions options)
     : section_(pipe_section(scene)), skip_(options.skip) {
     if (!(options.bin > 0)) {

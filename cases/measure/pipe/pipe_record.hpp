@@ -7,6 +7,7 @@
 #include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_section.hpp"
 #include "cases/measure/results.hpp"
+#include "cases/measure/waves/binned_record.hpp"
 #include "cases/scene/frame.hpp"
 
 #include <cstdint>
@@ -46,6 +47,11 @@ struct PipeRecord {
     /// Mean downward velocity of the grains over the frames first..last-1; 0 without grains.
     [[nodiscard]] double mean_speed(std::size_t first, std::size_t last) const;
     [[nodiscard]] double mean_speed() const { return mean_speed(0, frames()); }
+
+    /// The record cut into `samples` blocks of frames()/samples frames as the estimators of waves
+    /// read it: field `t` holds frame t of every block, side by side, shape (bins, samples).
+    [[nodiscard]] BinnedRecord in_blocks(std::size_t samples) const;
+    [[nodiscard]] std::vector<std::uint16_t> field(std::size_t samples, std::size_t t) const;
 };
 
 class PipeRecorder {

@@ -1,23 +1,19 @@
-// Exponent in time of the density fluctuations of grains in the bins of a pipe, P(f) ~ f^-alpha.
+// Exponent in time of the density fluctuations of grains in the bins of a pipe, P(f) ~ f^-alpha
+// (bin_spectrum.hpp), the segments of one run the samples.
 //
-// The spectrum is that of gas_spectrum.hpp (Peng & Herrmann 1995, section III.D), the segments of
-// one run in place of an ensemble. Grains have no largest velocity as a lattice gas has, so the
-// window is set by the flow itself: from 1.5 times the frequency f_w = k V_w/L of the wave to 0.35
-// V/b, above which a bin of width b sees single grains pass. Between, alpha still depends on b: it
-// can be compared to +-0.3, in the same window.
-//
-// f_w is the maximum of P below 0.35 V/b (averaged with weights 1, 2, 1, the two lowest frequencies
-// left out); if P there is not 3 times its median within a factor of two around, there is no wave
-// and f_w = V/L.
+// Grains have no largest velocity as a lattice gas has, so the window is set by the flow itself:
+// from 1.5 times the frequency f_w = k V_w/L of the wave, V_w that of pipe_modes.hpp and k the mode
+// with the most power, to 0.35 V/b, above which a bin of width b sees single grains pass. Between,
+// alpha still depends on b: it can be compared to +-0.3, in the same window. Without a wave
+// f_w = V/L.
 #pragma once
 
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/options.hpp"
 #include "cases/measure/pipe/pipe_record.hpp"
-#include "cases/measure/statistics/log_binned_slope.hpp"
+#include "cases/measure/waves/bin_spectrum.hpp"
 
-#include <optional>
-#include <vector>
+#include <cstdint>
 
 namespace crossgrain::measure {
 
@@ -35,10 +31,8 @@ inline OptionKeys option_keys(PipeSpectrumOptions& o) {
                    {"high", &o.high, Range::left_open(0, 0.5), "end of that window, of V/b"}});
 }
 
-/// Measurement `alpha`: standard error by the jackknife over the segments, systematic error half
-/// the spread over the windows low..high, 1.5 low..high, low..high/2 and 1.5 low..high/2; settings
-/// f_min, f_max (1/t), decades, peak (f_w, 1/t; 0 without a wave), bin. Series "spectrum": f (1/t),
-/// P (t), err, every f up to the 512th, then means of 8.
+/// Measurement `alpha`, settings f_min, f_max (1/t), decades, peak (f_w, 1/t; 0 without a wave),
+/// bin. Series "spectrum": f (1/t), P (t), err.
 /// No alpha if the window is narrower than half a decade. Nothing but the finding "sampling" if
 /// the frames are too far apart; nothing with fewer than 128 frames per segment.
 class PipeSpectrum final : public Estimator {
@@ -51,17 +45,10 @@ class PipeSpectrum final : public Estimator {
     void finish(Results& results) override;
 
   private:
-    [[nodiscard]] std::vector<double> segment_power(std::size_t first) const;
-    [[nodiscard]] std::vector<double> mean_without(std::size_t left_out) const;
-    [[nodiscard]] std::optional<double> peak(const std::vector<double>& power,
-                                             double highest) const;
-    void append_alpha(const std::vector<double>& power, Results& results) const;
-    void append_series(const std::vector<double>& power, Results& results) const;
+    void append_alpha(const BinSpectrum& spectrum, Results& results) const;
 
     PipeRecorder recorder_;
     PipeSpectrumOptions options_;
-    std::size_t points_ = 0;                  ///< M, frames per segment
-    std::vector<std::vector<double>> power_;  ///< shape (segments)(M/2 + 1)
 };
 
 }  // namespace crossgrain::measure

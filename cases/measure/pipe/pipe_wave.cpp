@@ -1,8 +1,6 @@
 #include "cases/measure/pipe/pipe_wave.hpp"
 
-#include "cases/measure/gas/gas_window.hpp"
 #include "native/numerics/jackknife.hpp"
-#include "native/numerics/mean_with_error.hpp"
 
 #include <fmt/format.h>
 
@@ -93,10 +91,10 @@ PipeWave::PipeWave(const scene::Scene& scene, PipeWaveOptions options)
                         4 * record.bin / record.diameter, record.length / record.diameter,
                         options.wavelength_min));
     }
-    (void)PipeOverlap::of(record, options.overlap);  // its options are checked before the run
+    (void)pipe_overlap(record, options.overlap);  // its options are checked before the run
 }
 
-void PipeWave::append_ratios(const PipeOverlap& overlap,
+void PipeWave::append_ratios(const OverlapVelocity& overlap,
                              const std::vector<FluxRegression>& regression,
                              Results& results) const {
     const PipeRecord& record = recorder_.record();
@@ -107,8 +105,6 @@ void PipeWave::append_ratios(const PipeOverlap& overlap,
     const Measurement ratio = jackknifed(
         "wave_over_speed", velocity / speed,
         [&](std::size_t b) { return velocities[b] / speed_without(record, b); }, "1");
-    results.measurements.push_back(jackknifed(
-        "overlap_velocity", velocity, [&](std::size_t b) { return velocities[b]; }, "l/t"));
     results.measurements.push_back(ratio);
     results.measurements.push_back(jackknifed(
         "wave_over_flux_slope", velocity / sum_of(regression, nobody).slope(),
@@ -130,14 +126,10 @@ void PipeWave::append_overlap(Results& results) const {
         slope.settings = {{"wavelength_min", options_.wavelength_min}};
         results.measurements.push_back(slope);
     }
-    const auto overlap = PipeOverlap::of(record, options_.overlap);
+    const auto overlap = pipe_overlap(record, options_.overlap);
     if (!overlap) return;
-    results.series.push_back(overlap->series());
-    std::size_t lines = 0;
-    for (std::size_t b = 0; b < pipe_blocks; ++b)
-        lines += overlap->line_of(b).travels ? 1 : 0;
-    results.measurements.push_back(fraction("overlap_wave_fraction", lines, pipe_blocks));
-    if (pattern && overlap->line().travels) {
+    (void)overlap->append_share(results);  // what travels is within the band, whatever its speed
+    if (pattern && overlap->append_velocity(results)) {
         append_ratios(*overlap, regression, results);
     } else {
         results.findings.push_back({.name = "wave",
@@ -150,45 +142,6 @@ void PipeWave::append_overlap(Results& results) const {
     }
 }
 
-void PipeWave::append_turning(Results& results) const {
-    constexpr std::size_t modes = 7, quarters = 4;
-    const PipeRecord& record = recorder_.record();
-    PipeMode strongest;
-    double most = 0;
-    std::size_t k_strongest = 0;
-    for (std::size_t k = 1; k <= modes; ++k) {
-        PipeMode mode = pipe_mode(record, k);
-        double power = 0;
-        for (const auto& value : mode.density)
-            power += std::norm(value);
-        if (power <= most) continue;
-        most = power;
-        k_strongest = k;
-        strongest = std::move(mode);
-    }
-    const std::span<const std::complex<double>> density = strongest.density;
-    const auto peak = turning_frequency(density);
-    if (!peak) return;
-    const double wavelength = record.length / static_cast<double>(k_strongest);
-    const auto velocity = [&](double frequency) {
-        return -frequency * wavelength / record.interval;
-    };
-    std::vector<double> parts;
-    for (const FrameBlock& part : equal_blocks(record.frames(), quarters)) {
-        const auto own = turning_frequency(density.subspan(part.first, part.last - part.first));
-        if (own) parts.push_back(velocity(own->frequency));
-    }
-    const double step = 1 / static_cast<double>(record.frames());
-    results.measurements.push_back(
-        {.observable = "wave_velocity",
-         .value = velocity(peak->frequency),
-         .standard_error = parts.size() < 2 ? 0 : numerics::mean_with_error(parts).standard_error,
-         .systematic = std::abs(velocity(step / 2)),
-         .n = std::max<std::size_t>(1, parts.size()),
-         .unit = "l/t",
-         .settings = {{"k", static_cast<double>(k_strongest)}, {"peak_ratio", peak->ratio}}});
-}
-
 void PipeWave::finish(Results& results) {
     const PipeRecord& record = recorder_.record();
     if (record.frames() < fewest_pipe_frames) return;
@@ -198,7 +151,7 @@ void PipeWave::finish(Results& results) {
     if (const auto refusal = too_coarse_sampling(record)) {
         results.findings.push_back(*refusal);
     } else {
-        append_turning(results);
+        (void)mode_spectrum(record).append_wave(results);
     }
 }
 

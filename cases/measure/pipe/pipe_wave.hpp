@@ -34,9 +34,8 @@ inline OptionKeys option_keys(PipeWaveOptions& o) {
 /// - `wave_over_speed`: overlap_velocity/V; `wave_over_flux_slope`: overlap_velocity/(dJ/drho);
 /// - `flux_slope`: dJ/drho, setting wavelength_min; only of a pattern: S(k) of those waves, on
 ///   average, is above 1 by a fifth and by three errors of its logarithm;
-/// - `wave_velocity`: from the frequency at which the strongest of the modes 1 to 7 turns; error
-///   from the scatter of the quarters' peaks, systematic half a frequency step; settings k and
-///   peak_ratio. Absent without a peak, or if the frames are too far apart (finding "sampling").
+/// - `wave_velocity` by mode_spectrum.hpp over the whole run; absent without a peak, or if the
+///   frames are too far apart (finding "sampling").
 /// Finding "wave", by the 95 % interval of V_w/V: "carried" if it lies within 5 % of 1, a pattern
 /// at rest among the grains; else "wave" if it does not hold 1; else "undecided"; "none" if nothing
 /// travels. Series "overlap" and "flux".
@@ -45,16 +44,15 @@ class PipeWave final : public Estimator {
   public:
     using Options = PipeWaveOptions;
     /// Throws std::invalid_argument for a scene that is no pipe, and unless wavelength_min is from
-    /// four bins to the length of the pipe; for what PipeOverlap::of refuses.
+    /// four bins to the length of the pipe; for what pipe_overlap refuses.
     PipeWave(const scene::Scene& scene, PipeWaveOptions options);
     void add(const scene::Frame& frame) override { recorder_.add(frame); }
     void finish(Results& results) override;
 
   private:
     void append_overlap(Results& results) const;
-    void append_ratios(const PipeOverlap& overlap, const std::vector<FluxRegression>& regression,
-                       Results& results) const;
-    void append_turning(Results& results) const;
+    void append_ratios(const OverlapVelocity& overlap,
+                       const std::vector<FluxRegression>& regression, Results& results) const;
 
     PipeRecorder recorder_;
     PipeWaveOptions options_;

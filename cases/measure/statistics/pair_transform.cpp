@@ -38,6 +38,7 @@ struct PairTransform::Plan {
 
 PairTransform::PairTransform(std::size_t points) : plan_(std::make_unique<Plan>(points)) {}
 PairTransform::~PairTransform() = default;
+PairTransform::PairTransform(PairTransform&&) noexcept = default;
 
 std::span<std::complex<float>> PairTransform::input() noexcept {
     // FFTW's complex numbers have the layout of std::complex.

@@ -17,6 +17,7 @@ class PairTransform {
     ~PairTransform();
     PairTransform(const PairTransform&) = delete;
     PairTransform& operator=(const PairTransform&) = delete;
+    PairTransform(PairTransform&&) noexcept;
 
     /// What is transformed, shape (points); kept by forward().
     [[nodiscard]] std::span<std::complex<float>> input() noexcept;

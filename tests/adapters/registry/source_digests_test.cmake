@@ -35,6 +35,7 @@ function(expect_changed source)
 endfunction()
 
 expect_changed(cases/measure/bed/flow_depth.cpp cases/measure/bed)
+expect_changed(cases/measure/waves/spectrum_peak.cpp cases/measure/waves)
 expect_changed(native/lga/profile.cpp native/lga)
 expect_changed(adapters/lammps/lammps_code.cpp adapters/lammps)
 expect_changed(adapters/process/guard/guard.cpp adapters/process)

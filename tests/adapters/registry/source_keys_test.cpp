@@ -69,8 +69,11 @@ BOOST_AUTO_TEST_CASE(foreign_codes_do_not_depend_on_engines_or_estimators) {
 BOOST_AUTO_TEST_CASE(a_pipe_does_not_depend_on_the_estimators_of_a_bed) {
     const auto pipe = sources_of("pipe-grains"), bed = sources_of("bed-fluid");
     BOOST_TEST(pipe.contains("cases/measure/pipe"));
+    BOOST_TEST(pipe.contains("cases/measure/waves"));
+    BOOST_TEST(!pipe.contains("cases/measure/gas"));
     BOOST_TEST(!pipe.contains("cases/measure/bed"));
     BOOST_TEST(bed.contains("cases/measure/bed"));
     BOOST_TEST(!bed.contains("cases/measure/pipe"));
+    BOOST_TEST(!bed.contains("cases/measure/waves"));
     BOOST_TEST(bed.contains("cases/measure/statistics"));
 }

@@ -1,6 +1,6 @@
 // The wave's shape by hierarchical overlap: a saw tooth in noise, and noise alone.
 #include "cases/measure/gas/gas_profile.hpp"
-#include "cases/measure/gas/wave_profile.hpp"
+#include "cases/measure/waves/wave_profile.hpp"
 #include "tests/cases/measure/synthetic_frame.hpp"
 #include "tests/cases/measure/synthetic_gas.hpp"
 

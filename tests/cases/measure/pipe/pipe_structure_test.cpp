@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(one_wave_has_the_structure_factor_of_its_amplitude) {
 
 BOOST_AUTO_TEST_CASE(a_known_exponent_is_found) {
     // Amplitudes a_k = 0.3/k^(0.9): S = N a_k^2/4 ~ k^-1.8, far above 1.
-    const auto scene = pipe_scene(20000, 220, 26);
+    const auto scene = pipe_scene(60000, 220, 26);
     const auto shape = [](double xi) {
         double f = 1;
         for (int k = 1; k <= 7; ++k)

@@ -1,6 +1,6 @@
 // Cuts the bin counts of an ensemble into segments of M frames and hands them out as time series,
 // two at a time as the real and the imaginary part of one complex series, as a transform takes
-// them. One segment is held in memory: 2 bytes x bins x replicas x M.
+// them. One segment is held in memory: 2 bytes x bins x samples x M.
 #pragma once
 
 #include <complex>
@@ -18,18 +18,18 @@ struct BinRange {
     [[nodiscard]] std::size_t size() const noexcept { return last - first + 1; }
 };
 
-class GasSegments {
+class RecordSegments {
   public:
     /// `points` is M, even.
-    GasSegments(BinRange bins, std::size_t replicas, std::size_t points);
+    RecordSegments(BinRange bins, std::size_t samples, std::size_t points);
 
-    /// `counts` has shape (bins of the pipe, replicas). Returns true when the segment is full; it
+    /// `counts` has shape (bins of the pipe, samples). Returns true when the segment is full; it
     /// can then be read until the next frame begins a new one.
     bool add(std::span<const std::uint16_t> counts);
 
-    /// Series are numbered bin * replicas + replica, bins from that of the range's first on; the
+    /// Series are numbered bin * samples + sample, bins from that of the range's first on; the
     /// last pair may hold one only.
-    [[nodiscard]] std::size_t series() const noexcept { return bins_.size() * replicas_; }
+    [[nodiscard]] std::size_t series() const noexcept { return bins_.size() * samples_; }
     [[nodiscard]] std::size_t pairs() const noexcept { return (series() + 1) / 2; }
     [[nodiscard]] std::size_t points() const noexcept { return points_; }
 
@@ -38,11 +38,15 @@ class GasSegments {
     /// frames around each frame, as far as they are in the segment. Shape of `out`: (points).
     void pair(std::size_t pair, std::size_t running_mean, std::span<std::complex<float>> out);
 
+    /// Adds the counts of a series times `factor` to `out`, shape (points).
+    void add_to(std::size_t series, std::complex<float> factor,
+                std::span<std::complex<float>> out) const;
+
   private:
     static constexpr std::size_t tile_ = 16;  ///< series side by side: half a cache line
 
     BinRange bins_;
-    std::size_t replicas_, points_;
+    std::size_t samples_, points_;
     std::size_t filled_ = 0;
     std::vector<std::uint16_t> counts_;  ///< shape (tiles, points, tile_)
     std::vector<std::complex<double>> sums_;

@@ -1,6 +1,6 @@
 // Series leave a segment as they came in, minus their mean, and their transform is the textbook's.
-#include "cases/measure/gas/gas_segments.hpp"
 #include "cases/measure/statistics/pair_transform.hpp"
+#include "cases/measure/waves/record_segments.hpp"
 #include "native/base/random.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -38,7 +38,7 @@ double mean_of(std::size_t series, std::size_t from, std::size_t to) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(series_come_out_in_pairs_without_their_mean) {
-    measure::GasSegments segments({.first = 1, .last = 3}, replicas, points);
+    measure::RecordSegments segments({.first = 1, .last = 3}, replicas, points);
     BOOST_TEST(segments.series() == 21U);
     BOOST_TEST(segments.pairs() == 11U);
     for (std::size_t t = 0; t < points; ++t)
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(series_come_out_in_pairs_without_their_mean) {
 }
 
 BOOST_AUTO_TEST_CASE(a_full_segment_is_followed_by_a_new_one) {
-    measure::GasSegments segments({.first = 0, .last = 3}, replicas, points);
+    measure::RecordSegments segments({.first = 0, .last = 3}, replicas, points);
     std::vector<std::complex<float>> out(points);
     for (std::size_t t = 0; t < 2 * points; ++t)
         BOOST_TEST(segments.add(frame(t)) == ((t + 1) % points == 0));
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_full_segment_is_followed_by_a_new_one) {
 }
 
 BOOST_AUTO_TEST_CASE(a_running_mean_is_that_of_the_frames_around) {
-    measure::GasSegments segments({.first = 0, .last = 3}, replicas, points);
+    measure::RecordSegments segments({.first = 0, .last = 3}, replicas, points);
     for (std::size_t t = 0; t < points; ++t)
         segments.add(frame(t));
     std::vector<std::complex<float>> out(points);

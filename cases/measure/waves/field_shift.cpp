@@ -1,4 +1,4 @@
-#include "cases/measure/gas/gas_shift.hpp"
+#include "cases/measure/waves/field_shift.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,18 +8,18 @@ namespace crossgrain::measure {
 
 template <class T>
 std::vector<float> fluctuation(FieldShape shape, std::span<const T> density, std::size_t rows) {
-    const auto [bins, replicas] = shape;
-    std::vector<float> mean(replicas, 0.0F), result(shape.size(), 0.0F);
+    const auto [bins, samples] = shape;
+    std::vector<float> mean(samples, 0.0F), result(shape.size(), 0.0F);
     for (std::size_t i = 0; i < shape.size(); ++i)
-        mean[i % replicas] += static_cast<float>(density[i]);
+        mean[i % samples] += static_cast<float>(density[i]);
     for (std::size_t i = 0; i < bins; ++i) {
-        float* out = &result[i * replicas];
+        float* out = &result[i * samples];
         for (std::size_t k = 0; k < rows; ++k) {
-            const T* in = &density[(i + bins + k - rows / 2) % bins * replicas];
-            for (std::size_t r = 0; r < replicas; ++r)
+            const T* in = &density[(i + bins + k - rows / 2) % bins * samples];
+            for (std::size_t r = 0; r < samples; ++r)
                 out[r] += static_cast<float>(in[r]);
         }
-        for (std::size_t r = 0; r < replicas; ++r) {
+        for (std::size_t r = 0; r < samples; ++r) {
             out[r] = out[r] / static_cast<float>(rows) - mean[r] / static_cast<float>(bins);
         }
     }
@@ -31,23 +31,23 @@ template std::vector<float> fluctuation(FieldShape, std::span<const float>, std:
 
 void add_overlap(FieldShape shape, std::span<const float> a, std::span<const float> b,
                  std::span<float> overlap) {
-    const auto [bins, replicas] = shape;
+    const auto [bins, samples] = shape;
     for (std::size_t s = 0; s < bins; ++s) {
-        float* __restrict c = &overlap[s * replicas];
+        float* __restrict c = &overlap[s * samples];
         for (std::size_t x = 0; x < bins; ++x) {
-            const float* from = &a[x * replicas];
-            const float* to = &b[(x + s) % bins * replicas];
-            for (std::size_t r = 0; r < replicas; ++r)
+            const float* from = &a[x * samples];
+            const float* to = &b[(x + s) % bins * samples];
+            for (std::size_t r = 0; r < samples; ++r)
                 c[r] += from[r] * to[r];
         }
     }
 }
 
-BestShift best_shift(FieldShape shape, std::span<const float> overlap, std::size_t replica,
+BestShift best_shift(FieldShape shape, std::span<const float> overlap, std::size_t sample,
                      std::size_t reach) {
-    const std::size_t bins = shape.bins, replicas = shape.replicas;
-    assert(replica < replicas && reach >= 1 && 2 * reach < bins);
-    const auto at = [&](std::size_t s) { return double{overlap[s % bins * replicas + replica]}; };
+    const std::size_t bins = shape.bins, samples = shape.samples;
+    assert(sample < samples && reach >= 1 && 2 * reach < bins);
+    const auto at = [&](std::size_t s) { return double{overlap[s % bins * samples + sample]}; };
     std::size_t best = 0;
     for (std::size_t s = 1; s < bins; ++s) {
         if (at(s) > at(best)) best = s;
@@ -74,14 +74,14 @@ BestShift best_shift(FieldShape shape, std::span<const float> overlap, std::size
 
 std::vector<float> merge_overlapping(FieldShape shape, std::span<const float> a,
                                      std::span<const float> b) {
-    const auto [bins, replicas] = shape;
+    const auto [bins, samples] = shape;
     std::vector<float> overlap(shape.size(), 0.0F), merged(shape.size());
     add_overlap(shape, a, b, overlap);
-    for (std::size_t r = 0; r < replicas; ++r) {
+    for (std::size_t r = 0; r < samples; ++r) {
         const std::size_t shift = best_shift(shape, overlap, r).bins;
         for (std::size_t x = 0; x < bins; ++x) {
-            merged[x * replicas + r] =
-                (a[x * replicas + r] + b[(x + shift) % bins * replicas + r]) / 2;
+            merged[x * samples + r] =
+                (a[x * samples + r] + b[(x + shift) % bins * samples + r]) / 2;
         }
     }
     return merged;

@@ -1,6 +1,6 @@
-#include "cases/measure/gas/wave_profile.hpp"
+#include "cases/measure/waves/wave_profile.hpp"
 
-#include "cases/measure/gas/gas_window.hpp"
+#include "cases/measure/waves/over_samples.hpp"
 #include "native/numerics/mean_with_error.hpp"
 
 #include <algorithm>
@@ -78,11 +78,11 @@ std::vector<WaveShape> append_profile(const AlignedProfiles& profiles, Results& 
         if (shape->steepness > 1) ++sharper;
     }
     auto& out = results.measurements;
-    out.push_back(over_replicas("profile_amplitude", amplitudes, "1"));
-    out.push_back(over_replicas("profile_null_amplitude", null_amplitudes, "1"));
-    out.push_back(over_replicas("profile_excess", excess, "1"));
+    out.push_back(over_samples("profile_amplitude", amplitudes, "1"));
+    out.push_back(over_samples("profile_null_amplitude", null_amplitudes, "1"));
+    out.push_back(over_samples("profile_excess", excess, "1"));
     if (shapes.size() < profiles.waves.size()) return shapes;
-    out.push_back(over_replicas("profile_asymmetry", steepness, "1"));
+    out.push_back(over_samples("profile_asymmetry", steepness, "1"));
     out.push_back(fraction("profile_front_sharper", sharper, profiles.waves.size()));
     return shapes;
 }
