@@ -2,6 +2,8 @@
 // "converged:P/replicas-512". Read here once; no other code takes the text apart.
 #pragma once
 
+#include "native/base/enum_words.hpp"
+
 #include <initializer_list>
 #include <string>
 
@@ -23,6 +25,7 @@ struct Reference {
     friend bool operator==(const Reference&, const Reference&) = default;
 };
 
+using crossgrain::to_string;  // of enums, which the next would hide
 /// As the file has it, "analytic:restitution"; empty without a name.
 [[nodiscard]] std::string to_string(const Reference& reference);
 
