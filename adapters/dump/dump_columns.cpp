@@ -14,7 +14,8 @@ namespace crossgrain::adapters::dump {
 
 namespace {
 
-constexpr std::array<const char*, 7> meaning_names = {"", "id", "x", "y", "vx", "vy", "omegaz"};
+constexpr std::array<const char*, column_count> names_of_columns = {
+    "x", "y", "vx", "vy", "omegaz", "z", "vz", "radius", "mass"};
 
 constexpr std::size_t longest_word = 60;
 
@@ -49,50 +50,58 @@ Columns::Columns(std::string_view names, bool periodic_x, bool periodic_y, bool 
     std::vector<std::string_view> words;
     for (auto rest = names; !rest.empty();)
         words.push_back(next_word(rest));
-    meanings_.assign(words.size(), Meaning::ignored);
+    meanings_.assign(words.size(), ignored);
     std::size_t needed = 0;
-    const auto assign = [&](Meaning meaning, std::string_view name, std::string_view other = {}) {
+    const auto find = [&](std::string_view name, std::string_view other, std::uint8_t meaning) {
         auto found = std::find(words.begin(), words.end(), name);
         if (found == words.end() && !other.empty()) {
             found = std::find(words.begin(), words.end(), other);
         }
-        if (found == words.end()) {
-            throw TrajectoryError(
-                fmt::format("column '{}' is missing (found:{})", name, printable(names)));
-        }
+        if (found == words.end()) return false;
         const auto index = static_cast<std::size_t>(found - words.begin());
         meanings_[index] = meaning;
         needed = std::max(needed, index + 1);
+        if (meaning < column_count) present_[meaning] = true;
+        return true;
     };
-    assign(Meaning::id, "id");
-    assign(Meaning::x, "xu", periodic_x ? "" : "x");
-    assign(Meaning::y, "yu", periodic_y ? "" : "y");
-    assign(Meaning::vx, "vx");
-    assign(Meaning::vy, "vy");
-    if (spins) assign(Meaning::omega, "omegaz");
+    const auto require = [&](std::string_view name, std::string_view other, std::uint8_t meaning) {
+        if (find(name, other, meaning)) return;
+        throw TrajectoryError(
+            fmt::format("column '{}' is missing (found:{})", name, printable(names)));
+    };
+    const auto number = [](Column column) { return static_cast<std::uint8_t>(column); };
+    require("id", "", id);
+    require("xu", periodic_x ? "" : "x", number(Column::x));
+    require("yu", periodic_y ? "" : "y", number(Column::y));
+    require("vx", "", number(Column::vx));
+    require("vy", "", number(Column::vy));
+    if (spins) require("omegaz", "", number(Column::omega));
+    (void)find("zu", "z", number(Column::z));
+    for (const Column column : {Column::vz, Column::radius, Column::mass})
+        (void)find(names_of_columns[number(column)], "", number(column));
     meanings_.resize(needed);
 }
 
 Row Columns::read(std::string_view line) const {
     Row row;
     std::string_view rest = line;
-    for (const Meaning meaning : meanings_) {
+    for (const std::uint8_t meaning : meanings_) {
         const std::string_view word = next_word(rest);
         if (word.empty()) {
             throw TrajectoryError(fmt::format("row '{}' has too few columns", printable(line)));
         }
-        if (meaning == Meaning::ignored) continue;
-        const auto index = static_cast<std::size_t>(meaning);
-        if (meaning == Meaning::id) {
+        if (meaning == ignored) continue;
+        if (meaning == id) {
             row.id = parse<std::int64_t>(word, "id");
             continue;
         }
-        const auto value = parse<double>(word, meaning_names[index]);
+        const auto value = parse<double>(word, names_of_columns[meaning]);
         if (!std::isfinite(value)) {
             throw TrajectoryError(fmt::format("'{}' in column {} is not finite",
-                                              printable(word, longest_word), meaning_names[index]));
+                                              printable(word, longest_word),
+                                              names_of_columns[meaning]));
         }
-        row.values[index - static_cast<std::size_t>(Meaning::x)] = value;
+        row.values[meaning] = value;
     }
     return row;
 }

@@ -1,5 +1,6 @@
 #include "adapters/dump/dump_reader.hpp"
 
+#include "adapters/dump/dump_box.hpp"
 #include "adapters/dump/dump_columns.hpp"
 #include "adapters/dump/dump_number.hpp"
 #include "native/base/errors.hpp"
@@ -8,11 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,12 +36,12 @@ std::int64_t parse_integer(std::string_view line, const char* what) {
 
 /// What a line must be follows from the lines before it.
 struct DumpReader::State {
-    enum class Expects { item, skipped_value, step, atom_count, bounds, row };
+    enum class Expects { item, skipped_value, time, step, atom_count, bounds, row };
 
     State(const scene::Scene& given_scene, scene::FrameSink given_sink)
         : scene(given_scene), sink(std::move(given_sink)), grains(given_scene.grain_count()),
           atoms(grains + (given_scene.has_free_lid() ? 1 : 0)), x(atoms), y(atoms), vx(atoms),
-          vy(atoms), omega(atoms), seen_in(atoms, 0) {}
+          vy(atoms), omega(atoms), z(grains), seen_in(atoms, 0) {}
 
     /// Takes a line without its end; names it when something is wrong with it.
     void take_line(std::string_view line);
@@ -61,15 +62,17 @@ struct DumpReader::State {
     std::int64_t line_number = 0;
     std::int64_t frames_complete = 0;
     Expects expects = Expects::item;
-    int bounds_left = 0;
+    Box box;
+    std::optional<double> time;        // of the frame that is being read, if the dump tells it
     std::optional<std::int64_t> step;  // of the frame that is being read
     bool counted = false;
     bool bounded = false;
-    bool has_units = false, has_time = false;
+    bool has_units = false;
     Columns columns;
     std::size_t rows_left = 0;
 
     std::vector<double> x, y, vx, vy, omega;  // shape (grains + lid), by id
+    std::vector<double> z;              // shape (grains): of the first frame, where the dump has it
     std::vector<std::int64_t> seen_in;  // 1 + number of the frame in which an id was last seen
 
   private:
@@ -78,6 +81,8 @@ struct DumpReader::State {
     void take_atom_count(std::string_view line);
     void take_columns(std::string_view names);
     void take_row(std::string_view line);
+    void hold_against_scene(const Row& row, std::size_t grain);
+    void check_time() const;
     void emit();
 };
 
@@ -121,6 +126,14 @@ void DumpReader::State::interpret(std::string_view line) {
     case Expects::skipped_value:
         expects = Expects::item;
         return;
+    case Expects::time:
+        time = dump_number<double>(line);
+        if (!time) {
+            throw TrajectoryError(
+                fmt::format("'{}' is not a time", printable(line, longest_quoted)));
+        }
+        expects = Expects::item;
+        return;
     case Expects::step:
         step = parse_integer(line, "step");
         expects = Expects::item;
@@ -128,7 +141,8 @@ void DumpReader::State::interpret(std::string_view line) {
     case Expects::atom_count:
         return take_atom_count(line);
     case Expects::bounds:
-        if (--bounds_left == 0) expects = Expects::item;
+        box.take_bounds(line);
+        if (box.is_complete()) expects = Expects::item;
         return;
     }
 }
@@ -140,17 +154,16 @@ void DumpReader::State::take_item(std::string_view line) {
     } else if (line.starts_with("ITEM: UNITS") && !has_units && !step) {
         has_units = true;
         expects = Expects::skipped_value;
-    } else if (line.starts_with("ITEM: TIME") && !line.starts_with("ITEM: TIMESTEP") && !has_time &&
+    } else if (line.starts_with("ITEM: TIME") && !line.starts_with("ITEM: TIMESTEP") && !time &&
                !step) {
-        has_time = true;
-        expects = Expects::skipped_value;
+        expects = Expects::time;
     } else if (line.starts_with("ITEM: TIMESTEP") && !step) {
         expects = Expects::step;
     } else if (line.starts_with("ITEM: NUMBER OF ATOMS") && step && !counted) {
         expects = Expects::atom_count;
     } else if (line.starts_with("ITEM: BOX BOUNDS") && counted && !bounded) {
         bounded = true;
-        bounds_left = 3;
+        box = Box(line, scene);
         expects = Expects::bounds;
     } else if (line.find_first_not_of(" \t") == std::string_view::npos) {
         throw TrajectoryError("a blank line is out of place");
@@ -177,6 +190,16 @@ void DumpReader::State::take_columns(std::string_view names) {
                       scene.has_friction());
     rows_left = atoms;
     expects = Expects::row;
+    check_time();
+}
+
+/// ITEM: TIME tells the time step that the run really had.
+void DumpReader::State::check_time() const {
+    constexpr double six_digits = 1e-5;
+    const double expected = static_cast<double>(*step) * scene.dt;
+    if (!time || std::abs(*time - expected) <= six_digits * std::abs(expected)) return;
+    throw TrajectoryError(fmt::format("{} is of time {:g}; with the scene's dt = {:g} it is {:g}",
+                                      place(), *time, scene.dt, expected));
 }
 
 void DumpReader::State::take_row(std::string_view line) {
@@ -193,9 +216,30 @@ void DumpReader::State::take_row(std::string_view line) {
         throw TrajectoryError(fmt::format("id {} appears twice in the {}", row.id, place()));
     }
     seen_in[i] = frames_complete + 1;
-    std::tie(x[i], y[i], vx[i], vy[i], omega[i]) =
-        std::tie(row.values[0], row.values[1], row.values[2], row.values[3], row.values[4]);
+    x[i] = row[Column::x];
+    y[i] = row[Column::y];
+    vx[i] = row[Column::vx];
+    vy[i] = row[Column::vy];
+    omega[i] = row[Column::omega];
+    if (i < grains) hold_against_scene(row, i);
     --rows_left;
+}
+
+/// What the scene knows of a grain beside its motion: a disc of its own size and mass in a plane.
+void DumpReader::State::hold_against_scene(const Row& row, std::size_t grain) {
+    const auto require = [&](Column column, const char* what, double expected) {
+        constexpr double six_digits = 1e-5;
+        if (!columns.has(column)) return;
+        if (std::abs(row[column] - expected) <= six_digits * std::abs(expected)) return;
+        throw TrajectoryError(fmt::format("{} of id {} is {:g}, the scene's is {:g}", what, row.id,
+                                          row[column], expected));
+    };
+    require(Column::radius, "radius", scene.grains.diameter_of(grain) / 2);
+    require(Column::mass, "mass", scene.grains.mass_of(grain));
+    require(Column::vz, "velocity along z", 0);
+    if (!columns.has(Column::z)) return;
+    if (frames_complete == 0) z[grain] = row[Column::z];
+    require(Column::z, "z", z[grain]);
 }
 
 void DumpReader::State::emit() {
@@ -213,7 +257,8 @@ void DumpReader::State::emit() {
     if (scene.has_friction()) frame.omega = of_grains(omega);
     ++frames_complete;
     step.reset();
-    counted = bounded = has_units = has_time = false;
+    time.reset();
+    counted = bounded = has_units = false;
     expects = Expects::item;
     sink(frame);
 }

@@ -18,13 +18,15 @@ namespace crossgrain::adapters::dump {
 inline constexpr std::size_t longest_line = std::size_t{1} << 16;
 
 /// Needs the columns id, xu, yu, vx, vy, and omegaz when the scene has friction; other columns are
-/// ignored. Grains have ids 1 ... N in the
+/// ignored, but for z and vz, which must not move, and radius and mass, which must be the scene's
+/// (six digits). Grains have ids 1 ... N in the
 /// order of the scene; a free lid is the row with id N + 1, whose yu and vy are its height and
 /// velocity. A dump with x (y) instead of xu (yu) is accepted unless the scene is periodic in x
-/// (y). The header may hold ITEM: UNITS and ITEM: TIME, which are skipped: time is step * dt.
+/// (y). The header may hold ITEM: UNITS, which is skipped, and ITEM: TIME, which must be step * dt.
 ///
 /// Throws TrajectoryError (with the line number) for: a missing column, a wrong number of atoms, a
-/// duplicate or unknown id, a value that is not a number or not finite, a header out of place.
+/// duplicate or unknown id, a value that is not a number or not finite, a header out of place, a
+/// box that is not the scene's (dump_box.hpp).
 class DumpReader {
   public:
     /// Feeds every complete frame to `sink`. `scene` gives the number of grains, dt and the lid.

@@ -119,6 +119,7 @@ std::optional<std::string> LammpsCode::cannot_express(const scene::Scene& scene)
                "torque at the point of contact (spins off would be expressible)";
     }
     if (auto reason = other_friction(scene)) return reason;
+    if (auto reason = lammps_family::shared_springs(scene)) return reason;
     return lammps_family::unequal_reach(scene);
 }
 

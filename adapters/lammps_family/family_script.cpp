@@ -71,6 +71,21 @@ std::optional<std::string> unequal_reach(const scene::Scene& scene) {
            "would be expressible)";
 }
 
+std::optional<std::string> shared_springs(const scene::Scene& scene) {
+    const auto& friction = scene.contact.friction;
+    if (!friction || friction->force != scene::TangentialForce::spring) return std::nullopt;
+    const double least = 2 * (scene::largest_diameter(scene.grains) + skin(scene));
+    for (const auto& [axis, period] :
+         {std::pair{'x', scene.periodic_x}, std::pair{'y', scene.periodic_y}}) {
+        if (!period || *period >= least) continue;
+        return fmt::format(
+            "the period {:g} along {} is below {:g}, twice the reach of the "
+            "neighbour list: two images of a grain would share one tangential spring",
+            *period, axis, least);
+    }
+    return std::nullopt;
+}
+
 void FamilyScript::add_setup(const char* atom_style, const char* ghost_velocities, int dimensions) {
     line("# a scene of crossgrain");  // not its name: no text from outside gets into a script
     line("units lj");

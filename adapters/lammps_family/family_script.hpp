@@ -24,6 +24,11 @@ inline constexpr double disc_inertia = 0.5, sphere_inertia = 0.4;
 /// Why plates cannot touch the surfaces of grains that differ; nothing if there is no such reason.
 [[nodiscard]] std::optional<std::string> unequal_reach(const scene::Scene& scene);
 
+/// Why tangential springs would be mixed up; nothing if there is no such reason. They are stored
+/// under the partner's tag: two images of one partner within the reach of the neighbour list share
+/// one spring.
+[[nodiscard]] std::optional<std::string> shared_springs(const scene::Scene& scene);
+
 /// Why the neighbour search cannot span the scene at its start; nothing if it can. A few grains are
 /// searched without bins.
 [[nodiscard]] std::optional<std::string> too_far_apart(const scene::Scene& scene);

@@ -75,6 +75,7 @@ std::optional<std::string> LiggghtsCode::cannot_express(const scene::Scene& scen
     }
     if (auto reason = foreign_conventions(scene, "liggghts")) return reason;
     if (auto reason = other_inertia(scene)) return reason;
+    if (auto reason = lammps_family::shared_springs(scene)) return reason;
     return lammps_family::unequal_reach(scene);
 }
 

@@ -58,11 +58,6 @@ friction::ContactParameters contact(const scene::ContactLaw& law) {
     return c;
 }
 
-double largest_diameter(const scene::Grains& grains) {
-    return grains.differ() ? *std::max_element(grains.diameters.begin(), grains.diameters.end())
-                           : grains.diameter;
-}
-
 }  // namespace
 
 bool needs_friction_engine(const scene::Scene& scene) {
@@ -108,7 +103,7 @@ std::optional<std::string> friction_cannot_express(const scene::Scene& scene) {
                            where);
     }
     for (const auto& period : {scene.periodic_x, scene.periodic_y}) {
-        if (period && *period < 3 * largest_diameter(scene.grains)) {
+        if (period && *period < 3 * scene::largest_diameter(scene.grains)) {
             return "a period below 3 diameters: a grain would meet two images of another";
         }
     }

@@ -39,11 +39,6 @@ std::optional<std::string> too_short(const std::optional<double>& period, char a
                        *period, axis);
 }
 
-double largest_diameter(const scene::Grains& grains) {
-    return grains.differ() ? *std::max_element(grains.diameters.begin(), grains.diameters.end())
-                           : grains.diameter;
-}
-
 bool has_plates(const scene::Scene& scene) {
     return scene.plates.bottom.has_value() ||
            !std::holds_alternative<std::monostate>(scene.plates.lid);
@@ -106,7 +101,7 @@ std::optional<std::string> YadeCode::cannot_express(const scene::Scene& scene) c
     if (auto reason = native_choice(scene)) return reason;
     if (auto reason = foreign_conventions(scene, "yade")) return reason;
     if (auto reason = other_friction(scene)) return reason;
-    const double diameter = largest_diameter(scene.grains);
+    const double diameter = scene::largest_diameter(scene.grains);
     if (auto reason = too_short(scene.periodic_x, 'x', diameter)) return reason;
     return too_short(scene.periodic_y, 'y', diameter);
 }

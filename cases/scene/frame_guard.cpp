@@ -18,12 +18,14 @@ double smallest_diameter(const Grains& grains) {
 }  // namespace
 
 FrameGuard::FrameGuard(const Scene& scene, FrameSink next)
-    : scene_(scene), next_(std::move(next)), smallest_diameter_(smallest_diameter(scene.grains)) {}
+    : scene_(scene), next_(std::move(next)), smallest_diameter_(smallest_diameter(scene.grains)),
+      motion_(scene) {}
 
 void FrameGuard::operator()(const Frame& frame) {
     check_schedule(frame);
     check_shape(frame);
     check_values(frame);
+    motion_.check(frame);
     ++frames_;
     expected_step_ += scene_.frame_every;
     next_(frame);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/scene/frame.hpp"
+#include "cases/scene/motion_guard.hpp"
 #include "cases/scene/scene.hpp"
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace crossgrain::scene {
 /// Checks, in this order: the step is the next one of the schedule (no gap, no overlap), the number
 /// of grains, the lid's presence, angular velocities where there is friction, finiteness, and that
 /// no grain moves by a diameter (of the smallest) or more within one time step (contacts would be
-/// jumped over: dt is too large for this state).
+/// jumped over: dt is too large for this state); then what MotionGuard checks.
 class FrameGuard {
   public:
     FrameGuard(const Scene& scene, FrameSink next);
@@ -33,6 +34,7 @@ class FrameGuard {
     const Scene& scene_;
     FrameSink next_;
     double smallest_diameter_;
+    MotionGuard motion_;
     std::int64_t expected_step_ = 0;
     std::int64_t frames_ = 0;
 };

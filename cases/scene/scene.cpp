@@ -7,6 +7,11 @@
 
 namespace crossgrain::scene {
 
+double largest_diameter(const Grains& grains) {
+    return grains.differ() ? *std::max_element(grains.diameters.begin(), grains.diameters.end())
+                           : grains.diameter;
+}
+
 double contact_time(const Scene& scene) {
     const double m = scene.grains.mass;
     // Per unit of the effective mass m/2, or as it is.
@@ -57,11 +62,6 @@ struct Site {
     double y = 0;
     std::size_t grain = 0;
 };
-
-double largest_diameter(const Grains& grains) {
-    return grains.differ() ? *std::max_element(grains.diameters.begin(), grains.diameters.end())
-                           : grains.diameter;
-}
 
 std::vector<Site> sites_by_height(const Scene& scene) {
     std::vector<Site> sites;

@@ -198,6 +198,8 @@ struct Scene {
     [[nodiscard]] bool has_friction() const noexcept { return contact.friction.has_value(); }
 };
 
+[[nodiscard]] double largest_diameter(const Grains& grains);
+
 /// Half the time of a head-on collision's undamped-frequency cycle: t_col = pi / omega with
 /// omega = sqrt(2 k/m - (eta/m)^2) (Taguchi, below Eq. 1). Infinite when overdamped.
 [[nodiscard]] double contact_time(const Scene& scene);

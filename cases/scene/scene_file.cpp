@@ -174,17 +174,24 @@ void read_schedule(const KeyedTable& t, double t_col, Scene& scene) {
 
 /// No longer than grains may be apart.
 void check_period(const KeyedTable& t, const char* key, const std::optional<double>& period,
-                  double diameter) {
-    const double most = 2 * farthest * diameter;
-    if (!period || *period <= most) return;
+                  const Grains& grains) {
+    if (!period) return;
+    const double most = 2 * farthest * grains.diameter;
+    const double widest = largest_diameter(grains);
+    if (*period < widest) {
+        throw t.error(key, "is too short", fmt::format("{:g}", *period),
+                      fmt::format("at least the largest diameter, {:g}", widest),
+                      "a grain must not overlap with its own image");
+    }
+    if (*period <= most) return;
     throw t.error(key, "is too long", fmt::format("{:g}", *period),
                   fmt::format("at most {:g} diameters, {:g}", 2 * farthest, most),
                   "leave it out for a scene that is open");
 }
 
 void check_consistency(const KeyedTable& t, const Scene& scene) {
-    check_period(t, "periodic_x", scene.periodic_x, scene.grains.diameter);
-    check_period(t, "periodic_y", scene.periodic_y, scene.grains.diameter);
+    check_period(t, "periodic_x", scene.periodic_x, scene.grains);
+    check_period(t, "periodic_y", scene.periodic_y, scene.grains);
     const bool has_plate =
         scene.plates.bottom || !std::holds_alternative<std::monostate>(scene.plates.lid);
     if (scene.periodic_y && has_plate) {

@@ -63,7 +63,7 @@ void EnergyBalance::add_motion(const scene::Frame& frame, Sample& sample) const 
 }
 
 void EnergyBalance::add_pairs(const scene::Frame& frame, Sample& sample) {
-    for (const Contact& c : contacts_.find(frame.x, frame.y)) {
+    for (const scene::Contact& c : contacts_.find(frame.x, frame.y)) {
         const double overlap = grains_.diameter - c.distance;
         const double vx = frame.vx[c.i] - frame.vx[c.j];
         const double vy = frame.vy[c.i] - frame.vy[c.j];

@@ -25,9 +25,9 @@
 // sample is left out.
 #pragma once
 
-#include "cases/measure/bed/contact_search.hpp"
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/options.hpp"
+#include "cases/scene/contact_search.hpp"
 
 #include <optional>
 #include <vector>
@@ -124,7 +124,7 @@ class EnergyBalance final : public Estimator {
     std::size_t grain_count_ = 0;
     std::optional<double> period_x_;
     std::vector<bool> frozen_;  ///< empty when no grain is frozen
-    ContactSearch contacts_;
+    scene::ContactSearch contacts_;
     std::optional<Instant> previous_;  ///< frame, if samples between frames are asked for
     Instant between_;
     std::vector<Sample> samples_;  ///< shape (samples): powers and energies, no trajectory

@@ -39,7 +39,7 @@ void FlowDepth::add(const scene::Frame& frame) {
 
 void FlowDepth::begin_period(const scene::Frame& frame) {
     bonds_.clear();
-    for (const Contact& c : search_.find(frame.x, frame.y))
+    for (const scene::Contact& c : search_.find(frame.x, frame.y))
         bonds_.push_back({c.i, c.j});
     std::vector<std::size_t> by_height(frame.y.size());
     std::iota(by_height.begin(), by_height.end(), std::size_t{0});

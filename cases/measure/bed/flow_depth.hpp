@@ -9,9 +9,9 @@
 // a row, sqrt(3)/2 d.
 #pragma once
 
-#include "cases/measure/bed/contact_search.hpp"
 #include "cases/measure/estimator.hpp"
 #include "cases/measure/options.hpp"
+#include "cases/scene/contact_search.hpp"
 
 #include <optional>
 #include <vector>
@@ -64,7 +64,7 @@ class FlowDepth final : public Estimator {
     double diameter_ = 0;
     double interval_ = 0;  ///< between frames (t)
     std::size_t layer_size_ = 1;
-    ContactSearch search_;
+    scene::ContactSearch search_;
     double next_ = 0;  ///< when the present period ends (t)
     std::vector<Bond> bonds_;
     std::vector<std::size_t> layer_;   ///< shape (grains), at the start of the period

@@ -14,11 +14,11 @@ LatticeOrder::LatticeOrder(const scene::Scene& scene)
 
 void LatticeOrder::add(const scene::Frame& frame) {
     if (!started_) {
-        for (const Contact& c : neighbours_.find(frame.x, frame.y))
+        for (const scene::Contact& c : neighbours_.find(frame.x, frame.y))
             lattice_pairs_.emplace(c.i, c.j);
         started_ = true;
     }
-    for (const Contact& c : contacts_.find(frame.x, frame.y)) {
+    for (const scene::Contact& c : contacts_.find(frame.x, frame.y)) {
         if (!lattice_pairs_.contains({c.i, c.j})) foreign_pairs_.emplace(c.i, c.j);
     }
     if (foreign_pairs_.empty()) kept_until_ = frame.time;

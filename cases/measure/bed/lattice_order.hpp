@@ -4,8 +4,8 @@
 // (Taguchi, chao-dyn/9405003 (1994), section 3: "no granular flow is allowed at all").
 #pragma once
 
-#include "cases/measure/bed/contact_search.hpp"
 #include "cases/measure/estimator.hpp"
+#include "cases/scene/contact_search.hpp"
 
 #include <set>
 #include <utility>
@@ -25,7 +25,7 @@ class LatticeOrder final : public Estimator {
   private:
     using Pair = std::pair<std::size_t, std::size_t>;
 
-    ContactSearch contacts_, neighbours_;
+    scene::ContactSearch contacts_, neighbours_;
     bool started_ = false;
     std::set<Pair> lattice_pairs_, foreign_pairs_;
     double kept_until_ = 0;

@@ -1,4 +1,4 @@
-#include "cases/measure/bed/contact_search.hpp"
+#include "cases/scene/contact_search.hpp"
 
 #include "cases/scene/scene.hpp"
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace crossgrain::measure {
+namespace crossgrain::scene {
 
 ContactSearch::ContactSearch(double diameter, std::optional<double> period_x,
                              std::optional<double> period_y)
@@ -66,8 +66,8 @@ void ContactSearch::sort_into_cells(std::span<const double> x, std::span<const d
 void ContactSearch::compare(std::size_t i, std::size_t j, std::span<const double> x,
                             std::span<const double> y) {
     if (i > j) std::swap(i, j);
-    const double dx = scene::nearest_image(x[i] - x[j], period_x_);
-    const double dy = scene::nearest_image(y[i] - y[j], period_y_);
+    const double dx = nearest_image(x[i] - x[j], period_x_);
+    const double dy = nearest_image(y[i] - y[j], period_y_);
     const double squared = dx * dx + dy * dy;
     if (squared >= diameter_ * diameter_) return;
     const double r = std::sqrt(squared);
@@ -105,4 +105,4 @@ std::span<const Contact> ContactSearch::find(std::span<const double> x, std::spa
     return contacts_;
 }
 
-}  // namespace crossgrain::measure
+}  // namespace crossgrain::scene

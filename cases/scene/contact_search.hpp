@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace crossgrain::measure {
+namespace crossgrain::scene {
 
 /// Two grains i < j with r < d. The normal (nx, ny) points from j to i.
 struct Contact {
@@ -58,4 +58,4 @@ class ContactSearch {
     std::vector<Contact> contacts_;
 };
 
-}  // namespace crossgrain::measure
+}  // namespace crossgrain::scene

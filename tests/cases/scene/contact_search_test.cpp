@@ -1,5 +1,5 @@
 // The cell search against the plain double loop, for open and periodic boxes of all shapes.
-#include "cases/measure/bed/contact_search.hpp"
+#include "cases/scene/contact_search.hpp"
 
 #include "cases/scene/scene.hpp"
 #include "native/base/random.hpp"
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(finds_what_the_double_loop_finds_once) {
             for (const Period& py : {Period{}, Period{height * 0.7}}) {
                 const auto points =
                     random_points(static_cast<std::size_t>(n), width, height, ++seed);
-                measure::ContactSearch search(2.0, px, py);
+                scene::ContactSearch search(2.0, px, py);
                 const auto contacts = search.find(points.x, points.y);
                 Pairs found;
                 for (const auto& c : contacts)
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(finds_what_the_double_loop_finds_once) {
 }
 
 BOOST_AUTO_TEST_CASE(normal_points_from_the_second_to_the_first_over_the_boundary) {
-    measure::ContactSearch search(2.0, 20.0, std::nullopt);
+    scene::ContactSearch search(2.0, 20.0, std::nullopt);
     const std::vector<double> x{-9.5, 49.5}, y{1, 0};  // 49.5 is the image of 9.5
     const auto contacts = search.find(x, y);
     BOOST_TEST_REQUIRE(contacts.size() == 1U);
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(normal_points_from_the_second_to_the_first_over_the_boundar
 }
 
 BOOST_AUTO_TEST_CASE(grains_at_rest_length_or_at_one_place) {
-    measure::ContactSearch search(2.0, std::nullopt, std::nullopt);
+    scene::ContactSearch search(2.0, std::nullopt, std::nullopt);
     BOOST_TEST(search.find(std::vector<double>{0, 2}, std::vector<double>{0, 0}).empty());
     const auto same = search.find(std::vector<double>{1, 1}, std::vector<double>{1, 1});
     BOOST_TEST_REQUIRE(same.size() == 1U);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(grains_at_rest_length_or_at_one_place) {
 
 BOOST_AUTO_TEST_CASE(ten_thousand_grains_take_milliseconds) {
     const auto points = random_points(10000, 200.0, 200.0, 99);
-    measure::ContactSearch search(2.0, 200.0, std::nullopt);
+    scene::ContactSearch search(2.0, 200.0, std::nullopt);
     const auto start = std::chrono::steady_clock::now();
     const auto count = search.find(points.x, points.y).size();
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
