@@ -59,6 +59,14 @@ double joint_degrees_of_freedom(const Operand& a, const Operand& b) {
 
 }  // namespace
 
+Operand quotient_of(const Operand& a, const Operand& b) {
+    const double value = a.value / b.value;
+    return {.value = value,
+            .standard_error =
+                std::hypot(a.standard_error, value * b.standard_error) / std::abs(b.value),
+            .degrees_of_freedom = std::min(a.degrees_of_freedom, b.degrees_of_freedom)};
+}
+
 EquivalenceQuestion question_of(const Operand& a, const Operand& b, double margin) {
     return {.difference = a.value - b.value,
             .standard_error = std::hypot(a.standard_error, b.standard_error),

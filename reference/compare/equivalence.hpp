@@ -32,6 +32,10 @@ struct Operand {
     double degrees_of_freedom = std::numeric_limits<double>::infinity();
 };
 
+/// a/b with the errors of both propagated to first order; they rest on the fewer degrees of
+/// freedom. `b.value` is not 0.
+[[nodiscard]] Operand quotient_of(const Operand& a, const Operand& b);
+
 /// a - b with both errors and the degrees of freedom of their sum (Welch, Biometrika 34, 28
 /// (1947)); none if an error rests on none.
 [[nodiscard]] EquivalenceQuestion question_of(const Operand& a, const Operand& b, double margin);

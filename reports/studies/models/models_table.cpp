@@ -2,15 +2,13 @@
 
 #include "native/base/share_directory.hpp"
 
-#include "reference/compare/equivalence.hpp"
-#include "reference/compare/student.hpp"
+#include "reference/compare/sign.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string_view>
 
@@ -36,6 +34,19 @@ TableCell not_measured(std::string reason) {
     return cell;
 }
 
+TableCell number_cell(const compare::Operand& number) {
+    return {.kind = Kind::number,
+            .value = number.value,
+            .standard_error = number.standard_error,
+            .degrees_of_freedom = number.degrees_of_freedom};
+}
+
+compare::Operand operand_of(const TableCell& cell) {
+    return {.value = cell.value,
+            .standard_error = cell.standard_error,
+            .degrees_of_freedom = cell.degrees_of_freedom};
+}
+
 std::string after(const std::string& text, std::string_view prefix) {
     return text.starts_with(prefix) ? text.substr(prefix.size()) : "";
 }
@@ -43,10 +54,7 @@ std::string after(const std::string& text, std::string_view prefix) {
 TableCell from_literature(const std::string& id, const published::PublishedValues& literature) {
     const auto found = literature.find(id);
     if (!found) return absent(fmt::format("no published value '{}'", id));
-    TableCell cell{.kind = Kind::number,
-                   .value = found->value,
-                   .standard_error = found->error,
-                   .degrees_of_freedom = std::numeric_limits<double>::infinity()};
+    TableCell cell = number_cell({.value = found->value, .standard_error = found->error});
     if (!found->trend.empty()) {
         cell.kind = Kind::word;
         cell.word = found->trend;
@@ -69,8 +77,9 @@ class Reader {
         if (report_.runs.replicas(code_, index, 0) == 0) return absent("the code takes no part");
         if (const auto name = after(value, "finding:"); !name.empty()) return finding(name, index);
         const auto slash = value.find(" / ");
-        if (slash == std::string::npos) return number(value);
-        return quotient(number(value.substr(0, slash)), number(value.substr(slash + 3)));
+        if (slash == std::string::npos) return number(value, index);
+        return quotient(number(value.substr(0, slash), index),
+                        number(value.substr(slash + 3), index));
     }
 
   private:
@@ -101,31 +110,17 @@ class Reader {
     }
 
     /// In the variant, or over all variants of the case.
-    [[nodiscard]] TableCell number(const std::string& name) const {
-        for (const std::string& variant : {variant_, std::string()}) {
-            for (const judge::CodeMeasurement& m : report_.evaluation.measurements) {
-                const auto& measurement = m.combined.measurement;
-                const bool here = m.code == code_ && m.variant == variant && m.rung == 0;
-                if (!here || measurement.observable != name) continue;
-                return {.kind = Kind::number,
-                        .value = measurement.value,
-                        .standard_error = measurement.standard_error,
-                        .degrees_of_freedom = m.combined.degrees_of_freedom};
-            }
-        }
-        return not_measured(fmt::format("'{}' was not measured", name));
+    [[nodiscard]] TableCell number(const std::string& name, std::size_t variant) const {
+        const auto found = judge::measured(report_.runs, report_.evaluation, code_, variant, name);
+        if (!found) return not_measured(fmt::format("'{}' was not measured", name));
+        return number_cell(judge::operand_of(*found));
     }
 
     [[nodiscard]] static TableCell quotient(const TableCell& above, const TableCell& below) {
         if (above.kind == Kind::absent) return above;
         if (below.kind == Kind::absent) return below;
         if (below.value == 0) return absent("the denominator is 0");
-        const double value = above.value / below.value;
-        return {.kind = Kind::number,
-                .value = value,
-                .standard_error = std::hypot(above.standard_error, value * below.standard_error) /
-                                  std::abs(below.value),
-                .degrees_of_freedom = std::min(above.degrees_of_freedom, below.degrees_of_freedom)};
+        return number_cell(compare::quotient_of(operand_of(above), operand_of(below)));
     }
 
     const judge::CaseReport& report_;
@@ -156,21 +151,6 @@ TableCell read_cell(const TableRow& row, const TableColumn& column,
     return cell;
 }
 
-/// -1, 0 or 1: 0 if the sign is not certain at the 5 % level.
-int certain_sign(const TableCell& cell) {
-    const double dof = std::max(1.0, cell.degrees_of_freedom);
-    const double least =
-        cell.standard_error > 0 ? compare::student_quantile(0.975, dof) * cell.standard_error : 0;
-    if (std::abs(cell.value) <= least) return 0;
-    return cell.value > 0 ? 1 : -1;
-}
-
-compare::Operand operand_of(const TableCell& cell) {
-    return {.value = cell.value,
-            .standard_error = cell.standard_error,
-            .degrees_of_freedom = cell.degrees_of_freedom};
-}
-
 void judge_same(const TableRow& row, const TableCell& reference, TableCell& cell) {
     const double margin = row.relative ? row.margin * std::abs(reference.value) : row.margin;
     const auto answer =
@@ -196,11 +176,9 @@ void judge(const TableRow& row, const TableCell& reference, TableCell& cell) {
     } else if (cell.kind == Kind::word) {
         judge_word(reference, cell);
     } else if (row.judge == RowJudge::sign) {
-        const int a = certain_sign(cell), b = certain_sign(reference);
-        cell.outcome = a == 0 || b == 0 ? Outcome::undecided
-                       : a == b         ? Outcome::agree
-                                        : Outcome::disagree;
-        if (a == 0 || b == 0) cell.reason = "a sign is not certain";
+        const auto answer = compare::judge_sign(operand_of(cell), operand_of(reference));
+        cell.outcome = answer.outcome;
+        cell.reason = answer.reason;
     } else {
         judge_same(row, reference, cell);
     }

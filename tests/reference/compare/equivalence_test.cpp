@@ -163,3 +163,14 @@ BOOST_AUTO_TEST_CASE(refuses_questions_that_make_no_sense) {
         BOOST_CHECK_THROW(static_cast<void>(equivalence(bad)), std::invalid_argument);
     }
 }
+
+BOOST_AUTO_TEST_CASE(a_quotient_carries_both_errors_and_the_fewer_degrees_of_freedom) {
+    const Operand six{.value = 6, .standard_error = 0.3, .degrees_of_freedom = 5};
+    const Operand two{.value = -2, .standard_error = 0.2, .degrees_of_freedom = 3};
+    const Operand quotient = quotient_of(six, two);
+    BOOST_TEST(quotient.value == -3.0);
+    // Relative errors of 5 % and 10 % add in squares.
+    BOOST_TEST(quotient.standard_error == 3 * std::hypot(0.05, 0.1), tt::tolerance(1e-14));
+    BOOST_TEST(quotient.degrees_of_freedom == 3.0);
+    BOOST_TEST(quotient_of(six, {.value = 2}).standard_error == 0.15, tt::tolerance(1e-14));
+}

@@ -288,3 +288,93 @@ BOOST_AUTO_TEST_CASE(two_variants_of_one_code_are_compared) {
     BOOST_CHECK(evaluation_of(case_with({check}), runs()).verdicts.at(0).outcome ==
                 Outcome::disagree);
 }
+
+namespace {
+
+std::vector<store::RunRecord> two_codes() {
+    auto records = runs();
+    for (auto record : runs()) {
+        record.code = "b";
+        record.results.measurements[0].value += 1e-3;
+        records.push_back(std::move(record));
+    }
+    return records;
+}
+
+}  // namespace
+
+// The order of the report: by variant, then by code.
+BOOST_AUTO_TEST_CASE(a_check_is_asked_of_its_variants_and_codes_only) {
+    Check check = trend_check(Aspect::value);
+    check.against = {Reference::Kind::published, "test/number"};
+    check.variants = {"*/dt=0.002"};
+    const auto verdicts = evaluation_of(case_with({check}), two_codes()).verdicts;
+    BOOST_REQUIRE(verdicts.size() == 4U);
+    BOOST_TEST(setting_text(verdicts[1]) == "verlet-half-step/dt=0.002");
+    BOOST_TEST(verdicts[1].code == "b");
+    BOOST_TEST(setting_text(verdicts[2]) == "verlet-predicted/dt=0.002");
+    BOOST_TEST(verdicts[2].code == "a");
+    check.codes = {"b"};
+    const auto of_b = evaluation_of(case_with({check}), two_codes()).verdicts;
+    BOOST_REQUIRE(of_b.size() == 2U);
+    BOOST_TEST(of_b[0].code == "b");
+    check.variants = {"nothing of this name"};
+    BOOST_TEST(evaluation_of(case_with({check}), two_codes()).verdicts.empty());
+}
+
+BOOST_AUTO_TEST_CASE(an_absent_code_costs_its_own_verdicts_only) {
+    auto records = two_codes();
+    records[4].status = store::RunStatus::not_installed;  // b, first variant
+    records[4].reason = "no b here";
+    Check number = trend_check(Aspect::value);
+    number.against = {Reference::Kind::published, "test/number"};
+    const auto alone = evaluation_of(case_with({number}), records).verdicts;
+    BOOST_REQUIRE(alone.size() == 8U);
+    BOOST_CHECK(alone[0].outcome == Outcome::agree);
+    BOOST_CHECK(alone[1].outcome == Outcome::not_installed);
+    BOOST_TEST(alone[1].reason == "no b here");
+    BOOST_TEST(alone[1].absent_code == "");
+    BOOST_CHECK(alone[3].outcome == Outcome::agree);
+    const auto pairs = evaluation_of(case_with({agree_check("slope", 0.2)}), records).verdicts;
+    BOOST_REQUIRE(pairs.size() == 4U);
+    BOOST_CHECK(pairs[0].outcome == Outcome::not_installed);
+    BOOST_TEST(pairs[0].reason == "b: no b here");
+    BOOST_TEST(pairs[0].absent_code == "b");
+    BOOST_CHECK(pairs[1].outcome == Outcome::agree);
+    BOOST_TEST(pairs[1].absent_code == "");
+}
+
+BOOST_AUTO_TEST_CASE(of_two_variants_either_may_be_absent_or_left_out) {
+    Check check = agree_check("slope", 0.2);
+    check.between = {"verlet-half-step/dt=0.001", "verlet-predicted/dt=0.001"};
+    for (const std::size_t gone : {0U, 2U}) {
+        auto records = runs();
+        records[gone].status = store::RunStatus::run_failed;
+        const auto verdicts = evaluation_of(case_with({check}), records).verdicts;
+        BOOST_REQUIRE(verdicts.size() == 1U);
+        BOOST_CHECK(verdicts[0].outcome == Outcome::run_failed);
+    }
+    check.between[1] = "not in this suite";
+    BOOST_TEST(evaluation_of(case_with({check}), runs()).verdicts.empty());
+}
+
+// A fit over the variants is the same in each of them: it would agree with itself.
+BOOST_AUTO_TEST_CASE(a_fit_is_not_compared_between_variants) {
+    auto check = agree_check("power", 0.2);
+    check.between = {"verlet-half-step/dt=0.001", "verlet-predicted/dt=0.001"};
+    const auto the_case = fitted_case(check);
+    const auto verdicts = evaluation_of(the_case, power_law(the_case, "a", 1)).verdicts;
+    BOOST_CHECK(verdicts.at(0).outcome == Outcome::undecided);
+}
+
+// One of the runs may be left out of a fit, but parity compares runs.
+BOOST_AUTO_TEST_CASE(parity_of_what_no_run_measures_is_undecided) {
+    auto check = agree_check("power", 0.2);
+    check.kind = CheckKind::parity;
+    const auto the_case = fitted_case(check);
+    auto records = power_law(the_case, "a", 1);
+    for (auto& record : power_law(the_case, "b", 1))
+        records.push_back(std::move(record));
+    records[0].status = store::RunStatus::not_run;
+    BOOST_CHECK(evaluation_of(the_case, records).verdicts.at(0).outcome == Outcome::undecided);
+}
