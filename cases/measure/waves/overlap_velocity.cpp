@@ -5,6 +5,7 @@
 #include "native/base/memory_budget.hpp"
 #include "native/numerics/jackknife.hpp"
 
+#include <boost/math/distributions/binomial.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,12 +61,35 @@ std::size_t OverlapVelocity::groups() const {
     return std::min<std::size_t>(16, record_.shape.samples);
 }
 
-OverlapVelocity::Weights OverlapVelocity::without(std::size_t group) const {
-    const std::size_t samples = record_.shape.samples;
-    Weights weights(samples, 1.0);
+OverlapVelocity::Weights OverlapVelocity::only(std::size_t sample) const {
+    Weights weights(record_.shape.samples, 0.0);
+    weights[sample] = 1;
+    return weights;
+}
+
+OverlapVelocity::Weights OverlapVelocity::without(Weights weights, std::size_t group) const {
+    const std::size_t samples = weights.size();
     for (std::size_t s = group * samples / groups(); s < (group + 1) * samples / groups(); ++s)
         weights[s] = 0;
     return weights;
+}
+
+OverlapVelocity::Weights OverlapVelocity::counting() const {
+    constexpr double level = 1e-3;
+    const std::size_t samples = record_.shape.samples;
+    const Weights all(samples, 1.0);
+    if (in_band(line_of(all))) return all;
+    Weights own(samples, 0.0);
+    for (std::size_t s = 0; s < samples; ++s)
+        own[s] = in_band(line_of(only(s))) ? 1.0 : 0.0;
+    const auto waves = static_cast<double>(std::ranges::count(own, 1.0));
+    const double chance = 2 * std::pow(2 * options_.smoothing / record_.length,
+                                       static_cast<double>(times_.size()) - 2);
+    const boost::math::binomial noise(static_cast<double>(samples), std::min(chance, 1.0));
+    if (waves < 2 || boost::math::cdf(boost::math::complement(noise, waves - 1)) > level) {
+        return all;
+    }
+    return own;
 }
 
 /// Shape (bins); lag 0 is the overlap of the references with themselves.
@@ -102,11 +126,11 @@ ShiftLine OverlapVelocity::line_of(const Weights& weights) const {
 }
 
 ShiftLine OverlapVelocity::line() const {
-    return line_of(Weights(record_.shape.samples, 1.0));
+    return line_of(counting());
 }
 
 ShiftLine OverlapVelocity::line_without(std::size_t group) const {
-    return line_of(without(group));
+    return line_of(without(counting(), group));
 }
 
 bool OverlapVelocity::in_band(const ShiftLine& line) const {
@@ -115,11 +139,11 @@ bool OverlapVelocity::in_band(const ShiftLine& line) const {
 }
 
 Series OverlapVelocity::series() const {
-    const Weights all(record_.shape.samples, 1.0);
+    const Weights all = counting();
     const std::string& unit = record_.length_unit;
     std::vector<std::vector<double>> others;
     for (std::size_t g = 0; groups() > 1 && g < groups(); ++g)
-        others.push_back(shifts(without(g)));
+        others.push_back(shifts(without(all, g)));
     const double self = double{overlap(0, all).front()};
     Series series{.name = "overlap",
                   .columns = {"T", "shift", "err", "height"},
@@ -140,9 +164,7 @@ std::size_t OverlapVelocity::append_share(Results& results) const {
     const std::size_t samples = record_.shape.samples;
     std::size_t waves = 0, others = 0;
     for (std::size_t s = 0; s < samples; ++s) {
-        Weights own(samples, 0.0);
-        own[s] = 1;
-        const ShiftLine line = line_of(own);
+        const ShiftLine line = line_of(only(s));
         waves += in_band(line) ? 1 : 0;
         others += line.travels && !in_band(line) ? 1 : 0;
     }
@@ -152,19 +174,23 @@ std::size_t OverlapVelocity::append_share(Results& results) const {
 }
 
 bool OverlapVelocity::append_velocity(Results& results) const {
-    const ShiftLine all = line();
-    if (!in_band(all) || record_.shape.samples < 2) return false;
+    const Weights weights = counting();
+    const ShiftLine wave = line_of(weights);
+    const auto samples = static_cast<std::size_t>(std::ranges::count(weights, 1.0));
+    if (!in_band(wave) || samples < 2) return false;
     std::vector<double> rest;
     for (std::size_t g = 0; g < groups(); ++g)
-        rest.push_back(line_without(g).slope);
+        rest.push_back(line_of(without(weights, g)).slope);
+    const double share = static_cast<double>(samples) / static_cast<double>(record_.shape.samples);
     results.measurements.push_back({.observable = "overlap_velocity",
-                                    .value = all.slope,
+                                    .value = wave.slope,
                                     .standard_error = numerics::jackknife_error(rest),
-                                    .n = record_.shape.samples,
+                                    .n = samples,
                                     .unit = record_.velocity_unit,
                                     .settings = {{"lag_min", times_.front()},
                                                  {"lag_max", times_.back()},
-                                                 {"smoothing", options_.smoothing}}});
+                                                 {"smoothing", options_.smoothing},
+                                                 {"share", share}}});
     return true;
 }
 

@@ -45,7 +45,9 @@ class OverlapVelocity {
     /// Of smoothed fields: `lag` 0 for a reference with itself, k for the later field at lags[k-1].
     void add(std::size_t lag, std::span<const float> reference, std::span<const float> later);
 
-    /// The line through the shifts of all samples together, or without one of the groups.
+    /// The line through the shifts of all samples together if these are a wave; else of those that
+    /// have a wave of their own, if they are more than noise would have (binomial, at 0.001, for
+    /// twice the probability above); else of all. Then the same without one of the groups.
     [[nodiscard]] ShiftLine line() const;
     [[nodiscard]] ShiftLine line_without(std::size_t group) const;
     /// Parts for the jackknife: up to 16, each of successive samples.
@@ -58,14 +60,17 @@ class OverlapVelocity {
     /// speed outside the band.
     std::size_t append_share(Results& results) const;
 
-    /// Appends `overlap_velocity`, along gravity, of all samples together, if they lie on a line
-    /// whose speed is within the band: error by the jackknife over the groups (two samples at
-    /// least); settings lag_min, lag_max, smoothing. Returns whether it did.
+    /// Appends `overlap_velocity`, along gravity, of line(), n its samples, if it is a wave of two
+    /// samples or more: error by the jackknife over the groups; settings lag_min, lag_max,
+    /// smoothing, share (of the samples that count). Returns whether it did.
     bool append_velocity(Results& results) const;
 
   private:
     using Weights = std::vector<double>;  ///< shape (samples)
-    [[nodiscard]] Weights without(std::size_t group) const;
+    /// Of line(): 1 for the samples that count, 0 for the others.
+    [[nodiscard]] Weights counting() const;
+    [[nodiscard]] Weights without(Weights weights, std::size_t group) const;
+    [[nodiscard]] Weights only(std::size_t sample) const;
     [[nodiscard]] std::vector<float> overlap(std::size_t lag, const Weights& weights) const;
     [[nodiscard]] std::vector<double> shifts(const Weights& weights) const;
     [[nodiscard]] ShiftLine line_of(const Weights& weights) const;

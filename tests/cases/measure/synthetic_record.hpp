@@ -80,6 +80,19 @@ class SyntheticRecord {
         return *this;
     }
 
+    /// k = 1 in one sample.
+    SyntheticRecord& wave_in(std::size_t sample, double amplitude, double velocity) {
+        const double q = 2 * std::numbers::pi / static_cast<double>(shape_.bins);
+        for (std::size_t t = 0; t < points_; ++t) {
+            for (std::size_t i = 0; i < shape_.bins; ++i) {
+                const double x = static_cast<double>(i) - velocity * static_cast<double>(t);
+                values_[t * shape_.size() + i * shape_.samples + sample] +=
+                    amplitude * std::cos(q * x);
+            }
+        }
+        return *this;
+    }
+
     [[nodiscard]] measure::BinnedRecord description() const {
         return {.shape = shape_, .length = static_cast<double>(shape_.bins), .interval = 1};
     }

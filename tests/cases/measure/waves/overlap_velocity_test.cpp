@@ -82,6 +82,19 @@ BOOST_AUTO_TEST_CASE(what_is_expected_decides_between_waves_that_look_alike) {
     BOOST_TEST(!find(overlap_of(fast), "overlap_velocity"));
 }
 
+// Three of eight samples have a wave, the others a much stronger pattern at rest.
+BOOST_AUTO_TEST_CASE(where_some_samples_only_have_a_wave_its_velocity_is_theirs) {
+    SyntheticRecord record({40, 8}, 100);
+    record.noise(5, 0, 2);
+    for (std::size_t s = 0; s < 8; ++s)
+        record.wave_in(s, s < 3 ? 20 : 100, s < 3 ? 0.7 : 0.0);
+    const auto results = overlap_of(record);
+    BOOST_TEST(get(results, "overlap_wave_fraction").value == 3.0 / 8);
+    const auto v = get(results, "overlap_velocity");
+    BOOST_TEST(v.n == 3U);
+    BOOST_TEST(std::abs(v.value - 0.7) < 0.02);
+}
+
 BOOST_AUTO_TEST_CASE(a_pattern_outside_the_band_and_too_few_intervals) {
     SyntheticRecord record({40, 8}, 100);
     record.noise(5, 0, 2).wave(20, 0.7);
