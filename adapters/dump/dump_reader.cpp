@@ -78,6 +78,7 @@ struct DumpReader::State {
   private:
     void interpret(std::string_view line);
     void take_item(std::string_view line);
+    [[noreturn]] static void refuse_place(std::string_view line);
     void take_atom_count(std::string_view line);
     void take_columns(std::string_view names);
     void take_row(std::string_view line);
@@ -141,6 +142,7 @@ void DumpReader::State::interpret(std::string_view line) {
     case Expects::atom_count:
         return take_atom_count(line);
     case Expects::bounds:
+        if (line.starts_with("ITEM:")) return refuse_place(line);
         box.take_bounds(line);
         if (box.is_complete()) expects = Expects::item;
         return;
@@ -168,10 +170,14 @@ void DumpReader::State::take_item(std::string_view line) {
     } else if (line.find_first_not_of(" \t") == std::string_view::npos) {
         throw TrajectoryError("a blank line is out of place");
     } else {
-        throw TrajectoryError(fmt::format(
-            "'{}' is out of place (a frame is ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS)",
-            printable(line, longest_quoted)));
+        refuse_place(line);
     }
+}
+
+void DumpReader::State::refuse_place(std::string_view line) {
+    throw TrajectoryError(fmt::format(
+        "'{}' is out of place (a frame is ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS, ATOMS)",
+        printable(line, longest_quoted)));
 }
 
 void DumpReader::State::take_atom_count(std::string_view line) {

@@ -149,19 +149,20 @@ void MotionGuard::check_flights(const State& now, std::int64_t step) {
     constexpr std::int64_t enough = 3;
     for (std::size_t i = 0; i < now.x.size(); ++i) {
         if (is_frozen(i)) continue;
+        Flights& flights = i < scene_.grain_count() ? of_grains_ : of_lid_;
         const auto hold = [&](double told, double expected, const char* relation) {
             // First-order schemes are off by g dt t.
             const double allowed = 1e-3 * std::abs(expected) +
                                    2 * scene_.gravity * scene_.dt * interval_ +
                                    1e-6 * scene_.grains.diameter;
-            ++flights_;
+            ++flights.all;
             if (std::abs(told - expected) <= allowed) return;
-            ++wrong_flights_;
-            if (wrong_flights_ < enough || 2 * wrong_flights_ < flights_) return;
-            throw TrajectoryError(
-                fmt::format("{} flies freely up to step {} and comes {:.6g} far, where {} {:.6g} "
-                            "({} of {} such flights; another dt, or velocities of another time?)",
-                            name_of(i), step, told, relation, expected, wrong_flights_, flights_));
+            ++flights.wrong;
+            if (flights.wrong < enough || 2 * flights.wrong < flights.all) return;
+            throw TrajectoryError(fmt::format(
+                "{} flies freely up to step {} and comes {:.6g} far, where {} {:.6g} "
+                "({} of {} such flights; another dt, or velocities of another time?)",
+                name_of(i), step, told, relation, expected, flights.wrong, flights.all));
         };
         if (flew_by_velocities(now, i)) {
             hold(std::hypot(now.x[i] - last_.x[i], now.y[i] - last_.y[i]),

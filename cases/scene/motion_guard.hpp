@@ -61,7 +61,11 @@ class MotionGuard {
     ContactSearch contacts_;
     State last_, last_but_one_;
     std::int64_t frames_ = 0;
-    std::int64_t flights_ = 0, wrong_flights_ = 0;
+    /// Of grains, and of the lid.
+    struct Flights {
+        std::int64_t all = 0, wrong = 0;
+    };
+    Flights of_grains_, of_lid_;
     double first_energy_ = 0, largest_kinetic_ = 0;
 };
 

@@ -2,6 +2,8 @@
 // bad input with its reason, never a number.
 #include "tests/app/program.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -102,9 +104,11 @@ BOOST_AUTO_TEST_CASE(a_damaged_dump_is_a_failed_run) {
 
 BOOST_AUTO_TEST_CASE(a_trajectory_that_differs_disagrees) {
     const Answer answer = DumpedGas().measured([](std::string& t) {
-        // the last frame's first grain, one unit further
+        // the last frame's first grain, far less than a guard can see further
         const auto line = t.rfind("\n1 1 ") + 5;
-        t.replace(line, t.find(' ', line) - line, "99");
+        const auto length = t.find(' ', line) - line;
+        const double moved = std::stod(t.substr(line, length)) + 1e-5;
+        t.replace(line, length, fmt::format("{:.17g}", moved));
     });
     BOOST_TEST(answer.status == 1);
     BOOST_TEST(answer.says("disagree"));

@@ -67,6 +67,8 @@ class ShellCode final : public adapters::ProgramCode {
 /// Frames at steps 0, 1, 2.
 scene::Scene short_pair() {
     auto scene = tests::head_on_pair();
+    scene.initial = {.x = {0, 3}, .y = {0, 0}, .vx = {1, 0}, .vy = {0, 0}};
+    scene.dt = 0.01;
     scene.steps = 2;
     scene.frame_every = 1;
     return scene;
@@ -76,11 +78,11 @@ scene::Scene short_pair() {
 const std::string frame_function =
     "frame() { printf 'ITEM: TIMESTEP\\n%s\\nITEM: NUMBER OF ATOMS\\n2\\n"
     "ITEM: BOX BOUNDS ss ss pp\\n-5 5\\n-5 5\\n-1 1\\nITEM: ATOMS id type xu yu vx vy\\n"
-    "1 1 %s 0 1 0\\n2 1 1 0 -1 0\\n' $1 $2; }\n";
+    "1 1 %s 0 1 0\\n2 1 3 0 0 0\\n' $1 $2; }\n";
 
 /// All frames with exit status 0: what each test below breaks.
 const std::string good =
-    frame_function + "{ frame 0 0; frame 1 .1; frame 2 .2; } >trajectory.dump\n";
+    frame_function + "{ frame 0 0; frame 1 .01; frame 2 .02; } >trajectory.dump\n";
 
 struct Outcome {
     int frames = 0;

@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_ran_out_of_time_is_told_from_one_that_failed) {
     (void)results.add(late);
     BOOST_TEST((results.find("late").value().status == store::RunStatus::timed_out));
     // Documents have one word for both.
-    BOOST_TEST(to_string(store::RunStatus::timed_out) == "run_failed");
+    BOOST_TEST(document_word(store::RunStatus::timed_out) == "run_failed");
     BOOST_TEST(has_failed(store::RunStatus::timed_out));
     BOOST_TEST(!has_failed(store::RunStatus::not_run));
 }
