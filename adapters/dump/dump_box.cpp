@@ -43,10 +43,12 @@ Box::Box(std::string_view item, const scene::Scene& scene) {
     for (std::size_t axis = 0; axis < of_scene.size(); ++axis) {
         const bool periodic = words[axis] == "pp";
         if (periodic != of_scene[axis].has_value()) {
-            throw TrajectoryError(fmt::format(
+            mismatch_ = fmt::format(
                 "the box is {}periodic along {} ('{}'), the scene is {}", periodic ? "" : "not ",
                 axes[axis], printable(words[axis], longest_quoted),
-                of_scene[axis] ? fmt::format("with period {:g}", *of_scene[axis]) : "not"));
+                of_scene[axis] ? fmt::format("with period {:g}", *of_scene[axis]) : "not");
+            if (axis == 0 || words[axis] != "ss") throw TrajectoryError(mismatch_);
+            continue;
         }
         periods_[axis] = of_scene[axis].value_or(0);
     }
@@ -69,6 +71,8 @@ void Box::take_bounds(std::string_view line) {
         throw TrajectoryError(
             fmt::format("the box is tilted by {:g}; scenes have right angles", numbers[2]));
     }
+    const bool own = line == "-0.5 0.5";
+    if (axis + 1 == axes.size() && !own && !mismatch_.empty()) throw TrajectoryError(mismatch_);
     const double length = numbers[1] - numbers[0];
     if (periods_[axis] > 0 && !(std::abs(length / periods_[axis] - 1) <= same_length)) {
         throw TrajectoryError(

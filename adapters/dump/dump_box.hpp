@@ -4,6 +4,7 @@
 #include "cases/scene/scene.hpp"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace crossgrain::adapters::dump {
@@ -11,7 +12,8 @@ namespace crossgrain::adapters::dump {
 class Box {
   public:
     /// `item`: the line "ITEM: BOX BOUNDS [xy xz yz] bx by bz", each b two letters, p where an axis
-    /// is periodic. Older writers leave the letters out, and nothing is checked then.
+    /// is periodic. Older writers leave the letters out, and nothing is checked then. Dumps of our
+    /// own engines once had ss along a period of y; their bounds along z are "-0.5 0.5".
     /// Throws TrajectoryError where x or y is periodic and the scene's is not, or the reverse.
     Box(std::string_view item, const scene::Scene& scene);
     Box() = default;
@@ -24,6 +26,7 @@ class Box {
   private:
     std::array<double, 3> periods_{};  ///< 0 where there is none, or nothing is checked
     std::size_t axis_ = 0;
+    std::string mismatch_;  ///< holds unless the dump is one of those
 };
 
 }  // namespace crossgrain::adapters::dump

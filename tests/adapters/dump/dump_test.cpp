@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(columns_are_found_by_name_and_rows_by_id) {
     for (const auto& text : same) {
         BOOST_TEST(tests::largest_difference(expected, read(pair(), header + text)) == 0.0);
     }
-    const std::string preamble = "ITEM: UNITS\nlj\nITEM: TIME\n0.1\n";
+    const std::string preamble = "ITEM: UNITS\nlj\nITEM: TIME\n0\n";
     BOOST_TEST(tests::largest_difference(expected,
                                          read(pair(), preamble + header + columns + rows)) == 0.0);
 }

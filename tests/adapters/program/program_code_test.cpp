@@ -143,13 +143,13 @@ BOOST_AUTO_TEST_CASE(a_good_run_delivers_and_reports_its_cost) {
             .run(short_pair(),
                  {.directory = directory.path(), .time_limit = 20, .stop = {}, .keep_dump = true},
                  [&](const scene::Frame& frame) { x.push_back(frame.x[0]); });
-    BOOST_TEST(x == (std::vector<double>{0.0, 0.1, 0.2}), boost::test_tools::per_element());
+    BOOST_TEST(x == (std::vector<double>{0.0, 0.01, 0.02}), boost::test_tools::per_element());
     BOOST_TEST(cost.cpu_s > 0);
     BOOST_TEST(cost.wall_s > 0);
     std::ifstream kept(directory.path() / "dump.txt");
     const std::string text{std::istreambuf_iterator<char>(kept), {}};
     BOOST_TEST(text.find("ITEM: TIMESTEP\n2\n") != std::string::npos);
-    BOOST_TEST(text.ends_with("1 1 .2 0 1 0\n2 1 1 0 -1 0\n"));
+    BOOST_TEST(text.ends_with("1 1 .02 0 1 0\n2 1 3 0 0 0\n"));
 }
 
 BOOST_AUTO_TEST_CASE(no_dump_is_kept_unless_asked) {
