@@ -31,6 +31,9 @@ std::ostream& operator<<(std::ostream& out, const Dump& dump) {
 
 const std::vector<Dump> refused{
     {"bad-gzip.dump.gz", "compressed (gzip)"},
+    {"bad-cut.dump.zst", "compressed dump is cut off"},
+    {"bad-plain.dump.zst", "compressed dump is damaged"},
+    {"bad-bomb.dump.zst", "longer than 65536 bytes"},
     {"bad-binary.dump", "is binary"},
     {"bad-utf16.dump", "UTF-16"},
     {"bad-escape.dump", "\\x1b]0;owned\\x07"},
@@ -50,9 +53,9 @@ const std::vector<Dump> refused{
     {"bad-empty.dump", "holds no frame"}};
 
 const std::vector<std::string> accepted{
-    "ok-plain.dump",     "ok-columns.dump",    "ok-crlf.dump",      "ok-tabs.dump",
-    "ok-unsorted.dump",  "ok-units-time.dump", "ok-bom.dump",       "ok-triclinic-zero.dump",
-    "ok-underflow.dump", "ok-denormal.dump",   "ok-plus-signs.dump"};
+    "ok-plain.dump",          "ok-packed.dump.zst", "ok-columns.dump",    "ok-crlf.dump",
+    "ok-tabs.dump",           "ok-unsorted.dump",   "ok-units-time.dump", "ok-bom.dump",
+    "ok-triclinic-zero.dump", "ok-underflow.dump",  "ok-denormal.dump",   "ok-plus-signs.dump"};
 
 Answer read(const Program& program, const std::string& dump,
             const std::vector<std::string>& more = {}) {
