@@ -30,11 +30,14 @@ struct InputFile {
     std::string text;
 };
 
+/// A kept trajectory of grains, in the run's directory: a LAMMPS text dump, compressed with zstd.
+inline constexpr const char* kept_dump_name = "dump.txt.zst";
+
 struct RunOptions {
     std::filesystem::path directory;  ///< private to this run; exists and is empty
     double time_limit = 0;            ///< wall seconds; the run is stopped when they are over, > 0
     std::stop_token stop;             ///< the user asked to stop
-    bool keep_dump = false;           ///< also write the trajectory to <directory>/dump.txt
+    bool keep_dump = false;           ///< also write the trajectory into the directory
     /// What a program is started with instead of `input(scene)`, e.g. edited by hand; empty: that.
     std::vector<InputFile> input = {};
 };

@@ -77,7 +77,7 @@ void add_execution(CLI::App& command, Arguments& arguments) {
     command.add_option("--time-limit", s.time_limit, "wall seconds per run")
         ->check(app::positive_number(1e9));
     command.add_flag("--keep-dumps", s.keep_dumps,
-                     "keep inputs, logs and trajectories in <results>/runs");
+                     "keep inputs, logs and trajectories in <results>/runs, to be measured again");
 }
 
 using Action = std::function<int(Arguments&, std::stop_token)>;

@@ -3,6 +3,7 @@
 #include "adapters/dump/dump_box.hpp"
 #include "adapters/dump/dump_columns.hpp"
 #include "adapters/dump/dump_number.hpp"
+#include "adapters/dump/zstd_file.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/input_file.hpp"
 #include "native/base/printable.hpp"
@@ -305,9 +306,15 @@ void read_dump_file(const std::filesystem::path& file, const scene::Scene& scene
                     const scene::FrameSink& sink, std::stop_token stop) {
     InputFile in(file.string(), "a LAMMPS text dump", std::move(stop));
     DumpReader reader(scene, sink);
+    std::optional<ZstdUnpacker> packed;
+    if (file.extension() == zstd_extension)
+        packed.emplace([&](std::string_view text) { reader.feed(text); });
     std::vector<char> block(std::size_t{1} << 20);
-    while (const std::size_t got = in.read(block))
-        reader.feed({block.data(), got});
+    while (const std::size_t got = in.read(block)) {
+        const std::string_view bytes(block.data(), got);
+        packed ? packed->feed(bytes) : reader.feed(bytes);
+    }
+    if (packed) packed->finish();
     reader.finish();
 }
 

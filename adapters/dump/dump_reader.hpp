@@ -46,8 +46,9 @@ class DumpReader {
     std::unique_ptr<State> state_;
 };
 
-/// Reads a whole dump file, or a pipe, through a DumpReader. Throws CaseError if it cannot be
-/// opened, Interrupted if asked to stop.
+/// Reads a whole dump file, or a pipe, through a DumpReader; one whose name ends in ".zst" is
+/// unpacked meanwhile (ZstdUnpacker). Throws CaseError if it cannot be opened, Interrupted if asked
+/// to stop.
 void read_dump_file(const std::filesystem::path& file, const scene::Scene& scene,
                     const scene::FrameSink& sink, std::stop_token stop = {});
 

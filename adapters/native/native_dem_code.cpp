@@ -1,6 +1,7 @@
 #include "adapters/native/native_dem_code.hpp"
 
 #include "adapters/dump/dump_writer.hpp"
+#include "adapters/dump/zstd_file.hpp"
 #include "adapters/native/friction_scene.hpp"
 #include "adapters/supervisor.hpp"
 #include "cases/scene/frame_guard.hpp"
@@ -13,8 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <numbers>
+#include <optional>
 
 namespace crossgrain::adapters {
 namespace {
@@ -205,18 +206,16 @@ std::vector<InputFile> NativeDemCode::input(const scene::Scene& scene) const {
 RunCost NativeDemCode::run(const scene::Scene& scene, const RunOptions& options,
                            const scene::FrameSink& sink) const {
     const Supervisor supervisor(name(), options);
-    std::ofstream file;
-    if (options.keep_dump) file.open(options.directory / "dump.txt");
-    dump::DumpWriter write_frame(scene, file);
+    std::optional<dump::ZstdFile> file;
+    if (options.keep_dump) file.emplace(options.directory / kept_dump_name);
     const scene::FrameSink tee = [&](const scene::Frame& frame) {
-        if (options.keep_dump) write_frame(frame);
+        if (file) dump::DumpWriter(scene, *file)(frame);
         sink(frame);
     };
     try {
         scene::FrameGuard guard(scene, tee);
         stream_frames(scene, supervisor, guard);
-        if (options.keep_dump && !file.flush())
-            throw supervisor.failure("the dump could not be written");
+        if (file && !file->finish()) throw supervisor.failure("the dump could not be written");
     } catch (const TrajectoryError& error) {
         throw supervisor.failure(error.what());
     } catch (const std::ios_base::failure& error) {

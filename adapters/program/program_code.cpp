@@ -181,8 +181,8 @@ RunCost ProgramCode::run(const scene::Scene& scene, const RunOptions& options,
     if (const auto reason = why_missing()) throw failure(*reason, "not started");
     for (const auto& file : options.input.empty() ? input(scene) : options.input)
         write_file(options.directory / file.name, file.text);
-    TrajectoryStream trajectory(scene, sink,
-                                options.keep_dump ? options.directory / "dump.txt" : fs::path());
+    TrajectoryStream trajectory(
+        scene, sink, options.keep_dump ? options.directory / kept_dump_name : fs::path());
     const process::Command command{
         .argv = argv,
         .directory = options.directory,

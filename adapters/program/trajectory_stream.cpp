@@ -10,14 +10,13 @@ TrajectoryStream::TrajectoryStream(const scene::Scene& scene, const scene::Frame
                                    const std::filesystem::path& keep_in)
     : guard_(scene, sink), reader_(scene, [this](const scene::Frame& frame) { guard_(frame); }),
       copy_path_(keep_in) {
-    if (!keep_in.empty()) copy_.open(keep_in, std::ios::binary);
+    if (!keep_in.empty()) copy_.emplace(keep_in);
 }
 
 void TrajectoryStream::take(std::string_view bytes) {
     // Set beforehand, so that it stays set whatever is thrown.
     failed_ = true;
-    if (!copy_path_.empty() &&
-        !copy_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    if (copy_ && !copy_->write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
         throw TrajectoryError(fmt::format("cannot write {}", copy_path_.string()));
     }
     reader_.feed(bytes);
@@ -27,7 +26,7 @@ void TrajectoryStream::take(std::string_view bytes) {
 void TrajectoryStream::finish() {
     reader_.finish();
     guard_.finish();
-    if (!copy_path_.empty() && !copy_.flush()) {
+    if (copy_ && !copy_->finish()) {
         throw TrajectoryError(fmt::format("cannot write {}", copy_path_.string()));
     }
 }

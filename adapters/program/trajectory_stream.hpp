@@ -1,22 +1,24 @@
 // What a program writes into its pipe, on its way to whoever measures it: bytes, checked frames,
-// sink; and, when asked, the same bytes into a file.
+// sink; and, when asked, the same bytes into a compressed file.
 #pragma once
 
 #include "adapters/dump/dump_reader.hpp"
+#include "adapters/dump/zstd_file.hpp"
 #include "cases/scene/frame.hpp"
 #include "cases/scene/frame_guard.hpp"
 #include "cases/scene/scene.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <string_view>
 
 namespace crossgrain::adapters {
 
 class TrajectoryStream {
   public:
-    /// `keep_in`: file for the raw bytes, or empty. `scene` must outlive the stream.
+    /// `keep_in`: file for the bytes, compressed with zstd, or empty. `scene` must outlive the
+    /// stream.
     TrajectoryStream(const scene::Scene& scene, const scene::FrameSink& sink,
                      const std::filesystem::path& keep_in);
 
@@ -34,7 +36,7 @@ class TrajectoryStream {
     scene::FrameGuard guard_;
     dump::DumpReader reader_;
     std::filesystem::path copy_path_;
-    std::ofstream copy_;
+    std::optional<dump::ZstdFile> copy_;
     bool failed_ = false;
 };
 

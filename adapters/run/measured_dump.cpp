@@ -1,8 +1,8 @@
 #include "adapters/run/measured_dump.hpp"
 
 #include "adapters/dump/dump_reader.hpp"
+#include "adapters/run/frame_measurement.hpp"
 #include "adapters/run/preparation.hpp"
-#include "cases/observables/estimators.hpp"
 #include "cases/scene/frame_guard.hpp"
 #include "native/base/errors.hpp"
 #include "native/base/printable.hpp"
@@ -15,18 +15,26 @@
 
 namespace crossgrain::run {
 
+measure::Results measure_frames(const catalog::Case& the_case, const scene::Scene& scene,
+                                const std::filesystem::path& dump, const scene::FrameSink& passed,
+                                const std::stop_token& stop) {
+    FrameMeasurement measurement(the_case, scene);
+    scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
+        if (stop.stop_requested()) throw Interrupted();
+        measurement.add(frame);
+        passed(frame);
+    });
+    adapters::dump::read_dump_file(dump, scene, std::ref(guard), stop);
+    guard.finish();
+    return measurement.finish();
+}
+
 store::RunRecord measure_dump(const catalog::Case& the_case, const GivenDump& dump,
                               const Settings& settings, const std::stop_token& stop) {
     const auto given = std::make_shared<const scene::AnyScene>(
         the_case.scene(dump.variant, dump.rung, settings.seed));
     const auto ready = preparations_in(settings).prepared(given, the_case.time_limit, stop);
     const auto& scene = std::get<scene::Scene>(*ready);
-    const auto estimators = observables::make_estimators(the_case, scene);
-    scene::FrameGuard guard(scene, [&](const scene::Frame& frame) {
-        if (stop.stop_requested()) throw Interrupted();
-        for (const auto& estimator : estimators)
-            estimator->add(frame);
-    });
     store::RunRecord record{.case_name = the_case.name,
                             .variant = the_case.variants[dump.variant].name,
                             .rung = dump.rung,
@@ -37,10 +45,8 @@ store::RunRecord measure_dump(const catalog::Case& the_case, const GivenDump& du
     const std::string file = printable(dump.file.string(), std::string::npos);
     record.settings_json = nlohmann::json{{"dump", file}}.dump();
     try {
-        adapters::dump::read_dump_file(dump.file, scene, std::ref(guard));
-        guard.finish();
-        for (const auto& estimator : estimators)
-            estimator->finish(record.results);
+        record.results = measure_frames(
+            the_case, scene, dump.file, [](const auto&) {}, stop);
         record.status = store::RunStatus::ok;
     } catch (const TrajectoryError& error) {
         record.status = store::RunStatus::run_failed;

@@ -3,6 +3,10 @@
 
 #include "adapters/run/settings.hpp"
 #include "adapters/run/store/store.hpp"
+#include "cases/catalog/case.hpp"
+#include "cases/measure/results.hpp"
+#include "cases/scene/frame.hpp"
+#include "cases/scene/scene.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -10,6 +14,15 @@
 #include <string>
 
 namespace crossgrain::run {
+
+/// The numbers of a case from the dump of one of its scenes: the same reader, guard and estimators
+/// as of any run. `passed` is called after every frame. Throws TrajectoryError for a dump that is
+/// not one of this scene, CaseError if it cannot be opened, Interrupted.
+[[nodiscard]] measure::Results measure_frames(const catalog::Case& the_case,
+                                              const scene::Scene& scene,
+                                              const std::filesystem::path& dump,
+                                              const scene::FrameSink& passed,
+                                              const std::stop_token& stop);
 
 struct GivenDump {
     std::filesystem::path file;

@@ -77,23 +77,31 @@ std::vector<const adapters::Code*> codes_for(const catalog::Case& the_case,
     return suited;
 }
 
+/// What decides the frames of this scene.
+nlohmann::json frames_identity(const PlannedRun& run, scene::AnyScene scene) {
+    // The scene's name is a label: renaming a case must not recompute it.
+    std::visit([](auto& s) { s.name.clear(); }, scene);
+    nlohmann::json identity{{"scene", scene::identity_json(scene)},
+                            {"code", run.code->name()},
+                            {"version", run.record.version},
+                            {"digest", run.record.digest},
+                            {"sources", adapters::code_source_key(run.code->name())}};
+    for (const auto& file : input_of(*run.code, scene))
+        identity["input"][file.name] = file.text;
+    return identity;
+}
+
 }  // namespace
 
 std::string run_key(const PlannedRun& run) {
-    // The scene's name is a label: renaming a case must not recompute it.
-    scene::AnyScene unnamed = *run.scene;
-    std::visit([](auto& s) { s.name.clear(); }, unnamed);
-    nlohmann::json identity{
-        {"scene", scene::identity_json(unnamed)},
-        {"observables", observables_json(*run.owner)},
-        {"code", run.code->name()},
-        {"version", run.record.version},
-        {"digest", run.record.digest},
-        {"sources", adapters::code_source_key(run.code->name())},
-        {"estimators", adapters::source_key(observables::source_folders(*run.owner))}};
-    for (const auto& file : input_of(*run.code, unnamed))
-        identity["input"][file.name] = file.text;
+    nlohmann::json identity = frames_identity(run, *run.scene);
+    identity["observables"] = observables_json(*run.owner);
+    identity["estimators"] = adapters::source_key(observables::source_folders(*run.owner));
     return sha256(identity.dump());
+}
+
+std::string frames_key(const PlannedRun& run, const scene::AnyScene& ready) {
+    return sha256(frames_identity(run, ready).dump());
 }
 
 std::vector<PlannedRun> plan(const catalog::Case& the_case,

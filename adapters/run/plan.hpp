@@ -40,4 +40,8 @@ struct PlannedRun {
 /// with what they include.
 [[nodiscard]] std::string run_key(const PlannedRun& run);
 
+/// SHA-256 over what decides the frames that the code yields: all of the above but the observables
+/// and the estimators. `ready`: the scene as the run starts from it.
+[[nodiscard]] std::string frames_key(const PlannedRun& run, const scene::AnyScene& ready);
+
 }  // namespace crossgrain::run

@@ -3,6 +3,7 @@
 #include "adapters/process/scratch_directory.hpp"
 #include "adapters/registry/codes.hpp"
 #include "adapters/run/store/run_claim.hpp"
+#include "adapters/run/whole_file.hpp"
 #include "cases/scene/preparation.hpp"
 #include "cases/scene/prepared_state.hpp"
 #include "cases/scene/scene_json.hpp"
@@ -65,20 +66,6 @@ std::optional<InitialState> read_state(const fs::path& file, std::size_t grains,
                         printable(file.string(), longest_path), printable(error.what())));
         return std::nullopt;
     }
-}
-
-/// Under another name first, so that a file that is there is complete.
-void write_state(const fs::path& file, const InitialState& state, double speed) {
-    const fs::path unfinished = file.string() + ".part";  // under a claim: nobody else's
-    std::ofstream out(unfinished);
-    out << scene::text_of(state, speed);
-    out.close();
-    if (!out) {
-        throw CaseError({.file = unfinished.string(),
-                         .problem = "cannot be written",
-                         .expected = "a directory with room in it"});
-    }
-    fs::rename(unfinished, file);
 }
 
 /// The sole right to make a state, once nobody else is making it.
@@ -144,8 +131,8 @@ InitialState Preparations::settled(const Scene& start, const std::string& key, d
                     squares = std::inner_product(frame.vy.begin(), frame.vy.end(), frame.vy.begin(),
                                                  squares);
                 });
-    write_state(directory_ / (key + ".json"), state,
-                std::sqrt(squares / static_cast<double>(start.grain_count())));
+    const double speed = std::sqrt(squares / static_cast<double>(start.grain_count()));
+    write_whole_file(directory_ / (key + ".json"), scene::text_of(state, speed));
     return state;
 }
 

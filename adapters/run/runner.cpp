@@ -2,13 +2,13 @@
 
 #include "adapters/process/scratch_directory.hpp"
 #include "adapters/run/expected_cost.hpp"
+#include "adapters/run/frame_measurement.hpp"
+#include "adapters/run/kept_frames.hpp"
+#include "adapters/run/measured_dump.hpp"
 #include "adapters/run/model_runs.hpp"
 #include "adapters/run/preparation.hpp"
 #include "adapters/run/store/run_claim.hpp"
-#include "cases/observables/estimators.hpp"
-#include "cases/scene/lattice_guard.hpp"
 #include "native/base/errors.hpp"
-#include "native/base/file_stem.hpp"
 #include "native/base/printable.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <new>
@@ -37,24 +36,14 @@ std::string label(const PlannedRun& run) {
     return text;
 }
 
-/// A number that is none must not reach a verdict: the run has not delivered.
-void require_finite(const store::RunRecord& record) {
-    for (const auto& m : record.results.measurements) {
-        if (std::isfinite(m.value) && std::isfinite(m.standard_error) &&
-            std::isfinite(m.systematic))
-            continue;
-        throw TrajectoryError(fmt::format("{}: '{}' came out as {} +- {}", record.code,
-                                          m.observable, m.value, m.standard_error));
+/// Leaves the directory of a run to be looked at, and its frames to be measured again.
+void leave(adapters::process::ScratchDirectory& directory, const PlannedRun& run,
+           const FramesIdentity& frames) {
+    if (std::holds_alternative<scene::Scene>(*run.scene)) {
+        record_frames(directory.path(), frames,
+                      {.cpu_s = run.record.cpu_s, .wall_s = run.record.wall_s});
     }
-}
-
-/// What the directory of a run is called: readable, and no other run's.
-std::string directory_stem(const PlannedRun& run) {
-    constexpr std::size_t readable = 100, of_key = 12;
-    const std::string name =
-        file_stem({scene::name_of(*run.scene), run.record.code, fmt::format("{}", run.replica + 1)},
-                  readable);
-    return name + "-" + run.record.key.substr(0, of_key);
+    directory.keep();
 }
 
 class Runner {
@@ -74,7 +63,10 @@ class Runner {
     void work(Progress& progress);
     [[nodiscard]] bool compute_unless_claimed(PlannedRun& run, Progress& progress);
     void compute(PlannedRun& run, Progress& progress);
-    void measure(PlannedRun& run, const fs::path& directory, Progress& progress);
+    [[nodiscard]] bool measure_again(PlannedRun& run, const scene::AnyScene& ready,
+                                     const FramesIdentity& frames, Progress& progress);
+    void measure(PlannedRun& run, const scene::AnyScene& ready, const fs::path& directory,
+                 Progress& progress);
     void keep(PlannedRun& run);
     void share_results();
 
@@ -218,10 +210,15 @@ void Runner::compute(PlannedRun& run, Progress& progress) {
         if (directory) directory->keep();  // the error names it
     };
     try {
-        directory.emplace(directories_, directory_stem(run));
-        measure(run, directory->path(), progress);
+        const auto ready = preparations_.prepared(run.scene, run.time_limit, stop_);
+        const FramesIdentity frames{frames_key(run, *ready), record.code, record.version};
+        if (settings_.fresh || !measure_again(run, *ready, frames, progress)) {
+            directory.emplace(directories_, frames_directory_stem(scene::name_of(*run.scene),
+                                                                  frames, run.replica));
+            measure(run, *ready, directory->path(), progress);
+            if (settings_.keep_dumps) leave(*directory, run, frames);
+        }
         record.status = store::RunStatus::ok;
-        if (settings_.keep_dumps) directory->keep();
     } catch (const Interrupted&) {
         record.status = store::RunStatus::planned;
         return;
@@ -234,42 +231,62 @@ void Runner::compute(PlannedRun& run, Progress& progress) {
     }
     keep(run);
     progress.finished(label(run), expected_seconds(run),
-                      record.status == store::RunStatus::ok
-                          ? fmt::format("{:.2f} s CPU", record.cpu_s)
-                          : "run_failed: " + record.reason);
+                      record.status != store::RunStatus::ok ? "run_failed: " + record.reason
+                      : record.measured_again               ? "measured again from kept frames"
+                                              : fmt::format("{:.2f} s CPU", record.cpu_s));
 }
 
-void Runner::measure(PlannedRun& run, const fs::path& directory, Progress& progress) {
+/// False if there are no frames of an earlier run, or none that can be measured.
+bool Runner::measure_again(PlannedRun& run, const scene::AnyScene& ready,
+                           const FramesIdentity& frames, Progress& progress) {
+    const auto* scene = std::get_if<scene::Scene>(&ready);
+    if (scene == nullptr) return false;
+    const auto kept = find_frames(directories_, frames, *settings_.monitor, stop_);
+    if (!kept) return false;
+    const std::string name = label(run);
+    const double seconds = expected_seconds(run);
+    const auto passed = [&](const auto& frame) {
+        progress.advanced(name, seconds, progress_of(*scene, frame));
+    };
+    try {
+        run.record.results = measure_frames(*run.owner, *scene, kept->dump, passed, stop_);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::runtime_error& error) {  // the frames' fault, or that of who measures them
+        settings_.monitor->note(frames_refusal(kept->dump.parent_path(), error.what()));
+        return false;
+    }
+    run.record.cpu_s = kept->cost.cpu_s;
+    run.record.wall_s = kept->cost.wall_s;
+    run.record.measured_again = true;
+    return true;
+}
+
+void Runner::measure(PlannedRun& run, const scene::AnyScene& ready, const fs::path& directory,
+                     Progress& progress) {
     const std::string name = label(run);
     const double seconds = expected_seconds(run);
     const adapters::RunOptions options{.directory = directory,
                                        .time_limit = run.time_limit,
                                        .stop = stop_,
                                        .keep_dump = settings_.keep_dumps};
-    const auto ready = preparations_.prepared(run.scene, run.time_limit, stop_);
-    const auto cost = with_code(*run.code, *ready, [&](const auto& code, const auto& scene) {
-        const auto estimators = observables::make_estimators(*run.owner, scene);
-        auto guard = crossgrain::scene::lattice_guard(scene);
+    const auto cost = with_code(*run.code, ready, [&](const auto& code, const auto& scene) {
+        FrameMeasurement measurement(*run.owner, scene);
         const auto sink = [&](const auto& frame) {
-            guard(frame);
-            for (const auto& estimator : estimators)
-                estimator->add(frame);
+            measurement.add(frame);
             progress.advanced(name, seconds, progress_of(scene, frame));
         };
         const adapters::RunCost spent = code.run(scene, options, sink);
-        guard.finish();
-        for (const auto& estimator : estimators)
-            estimator->finish(run.record.results);
+        run.record.results = measurement.finish();
         return spent;
     });
-    require_finite(run.record);
     run.record.cpu_s = cost.cpu_s;
     run.record.wall_s = cost.wall_s;
 }
 
 void Runner::keep(PlannedRun& run) {
     const std::lock_guard lock(store_mutex_);
-    ++summary_.computed;
+    ++(run.record.measured_again ? summary_.measured_again : summary_.computed);
     try {
         run.record.id = store_.add(run.record);
     } catch (const store::StoreError& error) {

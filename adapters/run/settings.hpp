@@ -26,7 +26,7 @@ struct Execution {
     unsigned jobs = 0;                 ///< runs side by side; 0: one per processor
     bool fresh = false;                ///< compute again what the store already has
     std::optional<double> time_limit;  ///< wall seconds per run, overrides the case
-    bool keep_dumps = false;           ///< write trajectories to <results>/runs/...
+    bool keep_dumps = false;           ///< leave inputs, logs and trajectories in <results>/runs
     std::string command;               ///< as people type it, for the history
     Monitor* monitor = &silent_monitor();
 };

@@ -50,9 +50,11 @@ int close_session(const session::SessionReport& report, const Settings& settings
         terminal::print_note("{} is not installed: {}", code, reason);
     if (report.interrupted) {
         terminal::print_note("interrupted: {} runs are stored; the same command goes on from there",
-                             report.computed + report.from_store);
+                             report.computed + report.measured_again + report.from_store);
     }
     if (!settings.quiet) {
+        if (report.measured_again > 0)
+            terminal::print_note("{} runs measured again from kept frames", report.measured_again);
         terminal::print_note("{} runs computed, {} taken from {}", report.computed,
                              report.from_store, settings.results.string());
     }

@@ -33,7 +33,8 @@ json run_json(const store::RunRecord& run) {
             {"work", run.work},
             {"work_unit", run.work_unit},
             {"created", run.created},
-            {"cached", run.cached}};
+            {"cached", run.cached},
+            {"measured_again", run.measured_again}};
 }
 
 /// A number without an error, or with one that rests on nothing, is its own interval.

@@ -166,6 +166,7 @@ SessionReport run_session(const run::Settings& settings, store::Store& store, st
     }
     SessionReport report{.cases = {},
                          .computed = summary.computed,
+                         .measured_again = summary.measured_again,
                          .from_store = summary.from_store,
                          .interrupted = summary.interrupted,
                          .store_error = summary.store_error};

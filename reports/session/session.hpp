@@ -15,6 +15,7 @@ namespace crossgrain::session {
 struct SessionReport {
     std::vector<judge::CaseReport> cases;
     std::size_t computed = 0;
+    std::size_t measured_again = 0;  ///< from kept frames
     std::size_t from_store = 0;
     bool interrupted = false;
     std::string store_error;

@@ -151,15 +151,15 @@ BOOST_AUTO_TEST_CASE(file_names_of_any_bytes_come_out_valid) {
     check_valid_report(crossgrain);
     fs::path dump;
     for (const auto& entry : fs::recursive_directory_iterator(crossgrain.results())) {
-        if (entry.path().filename() == "dump.txt") dump = entry.path();
+        if (entry.path().filename() == "dump.txt.zst") dump = entry.path();
     }
-    const auto renamed = crossgrain.directory() / "d\xFF\xC2\x9B.dump";
+    const auto renamed = crossgrain.directory() / "d\xFF\xC2\x9B.dump.zst";
     fs::copy_file(dump, renamed);
     const Answer read = crossgrain({"read", file, renamed.string(), "--code", "m", "--json"});
     BOOST_TEST(read.status == 0);
     const std::string named =
         json::parse(read.out)["cases"][0]["runs"][0]["settings"]["dump"].get<std::string>();
-    BOOST_TEST(named.ends_with("d\\xff\\x9b.dump"));
+    BOOST_TEST(named.ends_with("d\\xff\\x9b.dump.zst"));
     check_printable(crossgrain({"run", "./no\xFF\x1B.toml"}).err);
     check_printable(crossgrain({"--no\xFF\x1B"}).err);
 }

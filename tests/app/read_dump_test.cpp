@@ -1,6 +1,7 @@
 // Protects `crossgrain read`: a dump made elsewhere is measured like any run, and a damaged one is
 // bad input with its reason, never a number.
 #include "tests/app/program.hpp"
+#include "tests/support/zstd_text.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,8 @@ class DumpedGas {
         BOOST_REQUIRE(answer.status == 0);
         for (const auto& entry :
              std::filesystem::recursive_directory_iterator(crossgrain_.results())) {
-            if (entry.path().filename() == "dump.txt") text_ = read(entry.path());
+            if (entry.path().filename() == "dump.txt.zst")
+                text_ = crossgrain::tests::unpacked_file(entry.path());
         }
         BOOST_REQUIRE(!text_.empty());
     }
@@ -38,11 +40,6 @@ class DumpedGas {
     }
 
   private:
-    static std::string read(const std::filesystem::path& path) {
-        std::ifstream in(path);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-
     Program crossgrain_;
     std::string case_file_;
     std::string text_;

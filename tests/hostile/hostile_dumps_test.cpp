@@ -31,6 +31,9 @@ std::ostream& operator<<(std::ostream& out, const Dump& dump) {
 
 const std::vector<Dump> refused{
     {"bad-gzip.dump.gz", "compressed (gzip)"},
+    {"bad-cut.dump.zst", "compressed dump is cut off"},
+    {"bad-plain.dump.zst", "compressed dump is damaged"},
+    {"bad-bomb.dump.zst", "longer than 65536 bytes"},
     {"bad-binary.dump", "is binary"},
     {"bad-utf16.dump", "UTF-16"},
     {"bad-escape.dump", "\\x1b]0;owned\\x07"},
@@ -59,9 +62,10 @@ const std::vector<Dump> refused{
     {"bad-wrapped-as-xu.dump", "grain 1 moves by 10.77"}};
 
 const std::vector<std::string> accepted{
-    "ok-plain.dump",     "ok-columns.dump",    "ok-crlf.dump",       "ok-tabs.dump",
-    "ok-unsorted.dump",  "ok-units-time.dump", "ok-bom.dump",        "ok-triclinic-zero.dump",
-    "ok-underflow.dump", "ok-denormal.dump",   "ok-plus-signs.dump", "ok-own-older.dump"};
+    "ok-plain.dump",          "ok-packed.dump.zst", "ok-columns.dump",    "ok-crlf.dump",
+    "ok-tabs.dump",           "ok-unsorted.dump",   "ok-units-time.dump", "ok-bom.dump",
+    "ok-triclinic-zero.dump", "ok-underflow.dump",  "ok-denormal.dump",   "ok-plus-signs.dump",
+    "ok-own-older.dump"};
 
 Answer read(const Program& program, const std::string& dump,
             const std::vector<std::string>& more = {}) {

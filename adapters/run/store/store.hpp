@@ -61,6 +61,8 @@ struct RunRecord {
     std::string work_unit = "particle-steps";
     std::string created;  ///< UTC, ISO 8601
     bool cached = false;  ///< found in the store instead of computed
+    /// By this call, from the frames of an earlier run, whose cost it has.
+    bool measured_again = false;
     measure::Results results;
 };
 

@@ -7,6 +7,7 @@
 #include "tests/support/kept_frames.hpp"
 #include "tests/support/scenes.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/zstd_text.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -298,6 +299,15 @@ BOOST_AUTO_TEST_CASE(files_are_read_like_streams) {
     adapters::dump::read_dump_file(directory.path() / "dump.txt", scene,
                                    [&](const scene::Frame& frame) { again.emplace_back(frame); });
     BOOST_TEST(tests::largest_difference(frames, again) == 0.0);
+    tests::pack_into(directory.path() / "dump.txt.zst", written(scene, frames));
+    again.clear();
+    adapters::dump::read_dump_file(directory.path() / "dump.txt.zst", scene,
+                                   [&](const scene::Frame& frame) { again.emplace_back(frame); });
+    BOOST_TEST(tests::largest_difference(frames, again) == 0.0);
+    std::filesystem::copy_file(directory.path() / "dump.txt", directory.path() / "plain.zst");
+    BOOST_CHECK_THROW(
+        adapters::dump::read_dump_file(directory.path() / "plain.zst", scene, [](const auto&) {}),
+        TrajectoryError);
     BOOST_CHECK_THROW(
         adapters::dump::read_dump_file(directory.path() / "missing", scene, [](const auto&) {}),
         CaseError);

@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_kept_dump_reads_back_to_the_same_bits) {
         const tests::TemporaryDirectory directory;
         const auto run = run_in(directory.path(), s, true);
         std::vector<KeptFrame> read;
-        adapters::dump::read_dump_file(directory.path() / "dump.txt", s,
+        adapters::dump::read_dump_file(directory.path() / adapters::kept_dump_name, s,
                                        [&](const scene::Frame& f) { read.emplace_back(f); });
         BOOST_TEST(run.frames.size() == 11u);
         BOOST_TEST(tests::largest_difference(run.frames, read) == 0.0);
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(a_dump_that_cannot_be_written_fails_the_run) {
 BOOST_AUTO_TEST_CASE(a_dump_that_does_not_fit_the_disk_fails_the_run) {
     if (!std::filesystem::exists("/dev/full")) return;
     const tests::TemporaryDirectory directory;
-    std::filesystem::create_symlink("/dev/full", directory.path() / "dump.txt");
+    std::filesystem::create_symlink("/dev/full", directory.path() / adapters::kept_dump_name);
     // A large dump fails while it is written, a small one when its last bytes are.
     BOOST_CHECK_THROW((void)run_in(directory.path(), tests::small_bed(1e-3), true), AdapterError);
     BOOST_CHECK_THROW((void)run_in(directory.path(), tests::head_on_pair(1e-3), true),

@@ -5,13 +5,13 @@
 #include "native/base/errors.hpp"
 #include "tests/support/adapter_run.hpp"
 #include "tests/support/scenes.hpp"
+#include "tests/support/zstd_text.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <atomic>
 #include <chrono>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -146,8 +146,7 @@ BOOST_AUTO_TEST_CASE(a_good_run_delivers_and_reports_its_cost) {
     BOOST_TEST(x == (std::vector<double>{0.0, 0.01, 0.02}), boost::test_tools::per_element());
     BOOST_TEST(cost.cpu_s > 0);
     BOOST_TEST(cost.wall_s > 0);
-    std::ifstream kept(directory.path() / "dump.txt");
-    const std::string text{std::istreambuf_iterator<char>(kept), {}};
+    const auto text = tests::unpacked_file(directory.path() / adapters::kept_dump_name);
     BOOST_TEST(text.find("ITEM: TIMESTEP\n2\n") != std::string::npos);
     BOOST_TEST(text.ends_with("1 1 .02 0 1 0\n2 1 3 0 0 0\n"));
 }
@@ -156,7 +155,7 @@ BOOST_AUTO_TEST_CASE(no_dump_is_kept_unless_asked) {
     const tests::TemporaryDirectory directory;
     ShellCode(good).run(short_pair(), {.directory = directory.path(), .time_limit = 20, .stop = {}},
                         [](const auto&) {});
-    BOOST_TEST(!std::filesystem::exists(directory.path() / "dump.txt"));
+    BOOST_TEST(!std::filesystem::exists(directory.path() / adapters::kept_dump_name));
 }
 
 BOOST_AUTO_TEST_CASE(error_text_counts_although_all_else_is_fine) {
@@ -272,7 +271,7 @@ BOOST_AUTO_TEST_CASE(scene_that_cannot_be_expressed_is_not_run) {
 
 BOOST_AUTO_TEST_CASE(copy_that_cannot_be_written) {
     const tests::TemporaryDirectory directory;
-    std::filesystem::create_directory(directory.path() / "dump.txt");
+    std::filesystem::create_directory(directory.path() / adapters::kept_dump_name);
     BOOST_CHECK_EXCEPTION(
         ShellCode(good).run(
             short_pair(),
