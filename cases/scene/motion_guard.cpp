@@ -32,13 +32,12 @@ MotionGuard::MotionGuard(const Scene& scene)
     : scene_(scene), tolerance_(scene.precision == Precision::mixed ? of_mixed : of_double),
       interval_(static_cast<double>(scene.frame_every) * scene.dt),
       plate_speed_(fastest_plate(scene.plates)),
-      contacts_(largest_diameter(scene.grains), scene.periodic_x, scene.periodic_y) {
-    if (const auto reason = why_not_resolved(scene)) throw TrajectoryError(*reason);
-}
+      contacts_(largest_diameter(scene.grains), scene.periodic_x, scene.periodic_y) {}
 
 void MotionGuard::check(const Frame& frame) {
     State now = state_of(frame);
     if (frames_ == 0) {
+        if (const auto reason = why_not_resolved(scene_)) throw TrajectoryError(*reason);
         check_start(frame);
     } else {
         check_jumps(now, frame.step);
@@ -81,6 +80,7 @@ void MotionGuard::check_start(const Frame& frame) const {
     const auto hold = [&](const char* what, std::span<const double> told,
                           const std::vector<double>& asked, double unit) {
         for (std::size_t i = 0; i < asked.size(); ++i) {
+            if (is_frozen(i) && &asked != &initial.x && &asked != &initial.y) continue;  // at rest
             if (std::abs(told[i] - asked[i]) <= tolerance_ * (unit + std::abs(asked[i]))) continue;
             throw TrajectoryError(
                 fmt::format("the first frame is not the scene's initial state: {} of grain {} is "

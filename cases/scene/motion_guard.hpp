@@ -26,12 +26,11 @@ namespace crossgrain::scene {
 ///     the largest kinetic energy seen so far, which no integrator does that is of any use.
 class MotionGuard {
   public:
-    /// Throws TrajectoryError if the scene's time step resolves not all of its contacts
-    /// (step_resolution.hpp).
     explicit MotionGuard(const Scene& scene);
 
     /// The next frame, of the scene's number of grains, finite. Throws TrajectoryError with the
-    /// grain, the step and both numbers.
+    /// grain, the step and both numbers, or at the first frame if the scene's time step resolves
+    /// not all of its contacts (step_resolution.hpp).
     void check(const Frame& frame);
 
   private:

@@ -189,3 +189,26 @@ BOOST_AUTO_TEST_CASE(a_lid_that_moves_as_its_velocity_does_not_is_refused) {
     BOOST_TEST(with(1) == "passed");
     BOOST_TEST(says(with(250), "the lid flies freely"));
 }
+
+BOOST_AUTO_TEST_CASE(a_step_that_no_contact_survives_is_refused) {
+    auto s = flying(2, 0);  // k = 496, m = 1: 2/omega = 2/sqrt(2 k/m) = 0.0635
+    s.dt = 0.0634;
+    BOOST_TEST(!says(answer(s, {}, 1), "cannot be stable"));
+    s.dt = 0.0636;
+    BOOST_TEST(says(answer(s, {}, 1), "dt = 0.0636 cannot be stable: a contact of two grains"));
+    s.integrator = scene::Integrator::runge_kutta_4;  // sqrt(2) longer
+    BOOST_TEST(!says(answer(s, {}, 1), "cannot be stable"));
+    s.integrator = scene::Integrator::verlet_half_step;
+    s.dt = 1e-3;
+    s.grains.diameters = {2, 2};
+    s.grains.masses = {1, 1e-4};
+    BOOST_TEST(says(answer(s, {}, 1), "two grains needs less than 0.000898"));
+}
+
+BOOST_AUTO_TEST_CASE(velocities_that_no_contact_stops_are_refused) {
+    auto s = flying(2, 0);
+    s.initial.vx[1] = 31.4;  // d/2 sqrt(2 k/m) = 31.5
+    BOOST_TEST(answer(s, {}, 1) == "passed");
+    s.initial.vx[1] = 31.6;
+    BOOST_TEST(says(answer(s, {}, 1), "grain 1 has velocity 31.6"));
+}
