@@ -17,7 +17,7 @@ class LimitedProgram : public Program {
   public:
     LimitedProgram() {
         launcher = {"timeout", "60"};
-#ifndef __SANITIZE_ADDRESS__
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
         launcher.insert(launcher.end(), {"sh", "-c", "ulimit -v 2097152; exec \"$@\"", "sh"});
 #endif
     }
